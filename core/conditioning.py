@@ -16,7 +16,7 @@ class Conditioning:
     """Spectrum of a scaled information matrix.
 
     Attributes:
-        condition: Square root of the ratio of largest to smallest eigenvalue (that of the scaled Jacobian); inf if singular.
+        condition: Ratio of largest to smallest singular value of the scaled Jacobian; inf if singular.
         weakest_direction: (n,) unit vector in the scaled unknowns, largest component positive.
         description: The same in words, e.g. `rotation about (0.00, 0.01, 1.00)`.
     """
