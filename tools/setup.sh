@@ -80,8 +80,8 @@ install_python_packages() {
     fi
     [ -x .venv/bin/python ] || python3 -m venv .venv
     say "installing the locked Python packages (about 600 MB to download)"
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+    .venv/bin/python -m pip install -qq --disable-pip-version-check --require-hashes -r requirements.lock
+    .venv/bin/python -m pip install -qq --disable-pip-version-check --no-deps --no-build-isolation -e .
     cat requirements.lock pyproject.toml >"$stamp"
 }
 
