@@ -1,0 +1,78 @@
+"""Errors at observations that the fit has not seen, without fitting again."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+# Below this share left over, the others predict that direction of an observation 30 times worse than it is measured:
+# it is the only witness there, and its error would be noise blown up.
+_SOLE_WITNESS = 1e-3
+
+
+def held_out_residuals(
+    jacobian: Array, weights: Array, cofactor: Array, residuals: Array, groups: NDArray[np.int64]
+) -> tuple[Array, NDArray[np.int64]]:
+    """Residuals that a weighted least-squares fit leaves at observations it was not given.
+
+    The identity `e = (I - J C J^T W)^-1 r` for each group left out (Cook & Weisberg, Residuals and Influence in
+    Regression, 1982, eq. 2.2.7, in blocks); exact for a linear model, first order for a nonlinear one.
+
+    Args:
+        jacobian: (N, k, p) derivative of each residual by the unknowns.
+        weights: (N, k, k) inverse covariance of each residual.
+        cofactor: (p, p) inverse of the sum of J^T W J.
+        residuals: (N, k) residuals of the full fit.
+        groups: (N,) equal numbers are left out together (repeats of one pose).
+
+    Returns:
+        (N, k) in the unit of the residuals, without the directions that the others cannot predict, NaN if they predict
+        none; and (N,) the number of those unpredicted directions in the observation's group.
+    """
+    k = residuals.shape[1]
+    errors = np.full(residuals.shape, np.nan)
+    unpredicted = np.zeros(len(residuals), dtype=np.int64)
+    for group in np.unique(groups):
+        index = np.flatnonzero(groups == group)
+        root = np.zeros((len(index) * k, len(index) * k))
+        for block, i in enumerate(index):
+            part = slice(block * k, (block + 1) * k)
+            root[part, part] = np.linalg.cholesky(weights[i]).T
+        white = root @ jacobian[index].reshape(len(root), -1)
+        left_over, directions = np.linalg.eigh(np.eye(len(root)) - white @ cofactor @ white.T)
+        seen = left_over > _SOLE_WITNESS
+        unpredicted[index] = np.count_nonzero(~seen)
+        if not np.any(seen):
+            continue
+        along = directions[:, seen]
+        whitened = along @ ((along.T @ (root @ residuals[index].ravel())) / left_over[seen])
+        errors[index] = np.linalg.solve(root, whitened).reshape(-1, k)
+    return errors, unpredicted
+
+
+def pose_groups(matrices: Array, *, distance_mm: float = 0.5, angle_rad: float = 2e-3) -> NDArray[np.int64]:
+    """Number poses (N, 4, 4) so that repeats of one pose share a number; repeats add no geometry.
+
+    Args:
+        matrices: (N, 4, 4) rigid transforms.
+        distance_mm: Poses nearer than this ...
+        angle_rad: ... and turned by less than this are the same pose.
+    """
+    groups = np.full(len(matrices), -1, dtype=np.int64)
+    found = 0
+    for i in range(len(matrices)):
+        if groups[i] >= 0:
+            continue
+        near = np.linalg.norm(matrices[:, :3, 3] - matrices[i, :3, 3], axis=1) < distance_mm
+        turned = angles_between(matrices[:, :3, :3], matrices[i, :3, :3]) < angle_rad
+        groups[near & turned & (groups < 0)] = found
+        found += 1
+    return groups
+
+
+def angles_between(rotations: Array, reference: Array) -> Array:
+    """Angle in rad between each of (N, 3, 3) rotations and one (3, 3); chord formula, exact near zero."""
+    chord = np.linalg.norm(rotations - reference, axis=(-2, -1))
+    return np.asarray(2.0 * np.arcsin(np.minimum(chord / np.sqrt(8.0), 1.0)))
