@@ -134,7 +134,8 @@ def profile(design: BladeDesign, height: float, tau: Array) -> Array:
     turning = -chord * (ends * s + middle * (1.0 - np.cos(np.pi * s)) / np.pi)
     heading = turning - np.interp(0.5, s, turning)
     direction = np.column_stack([np.cos(heading), np.sin(heading)])
-    line = np.vstack([np.zeros(2), np.cumsum((direction[1:] + direction[:-1]) / 2, axis=0)]) * chord / (CAMBER_STEPS - 1)
+    steps = (direction[1:] + direction[:-1]) / 2 * chord / (CAMBER_STEPS - 1)
+    line = np.vstack([np.zeros(2), np.cumsum(steps, axis=0)])
     line -= line[CAMBER_STEPS // 2]
     x = tau**2
     a0, *rest = _thickness_coefficients(chord, at(design.thickness_mm), at(design.edge_radius_mm),
