@@ -23,6 +23,9 @@ UNKNOWNS = 9
 _ITERATIONS = 50
 # Worse than this even noise of a micrometre becomes millimetres.
 _MAX_CONDITION = 2000.0
+# A pose less certain than this is no pose: refuse instead of letting a verdict reject it.
+_HOPELESS_ROTATION_RAD = 0.05
+_HOPELESS_POSITION_MM = 10.0
 # Keeps the weights finite for data without any noise.
 _SMALLEST_SIGMA_MM = 1e-9
 
@@ -115,7 +118,9 @@ def solve_base(
     else:
         sigma = robot_sigma_mm
         state = problem.solve(first, sigma)
-    return _report(problem, state, sigma)
+    fit = _report(problem, state, sigma)
+    _refuse_undetermined(fit)
+    return fit
 
 
 @dataclass(frozen=True)
@@ -240,6 +245,18 @@ def _refuse_weak(problem: _Problem, state: _State) -> None:
             f"The poses leave something nearly free: {conditioning.description} (condition "
             f"{conditioning.condition:.3g}, usable below {_MAX_CONDITION:.0f}). Add poses that move the ball by 50 mm "
             "or more and tilt the flange by 5 deg or more about different axes.",
+            Code.NOT_ENOUGH_VARIATION,
+        )
+
+
+def _refuse_undetermined(fit: BaseFit) -> None:
+    turn = float(np.sqrt(np.linalg.eigvalsh(fit.covariance.matrix[:3, :3])[-1]))
+    shift = float(np.sqrt(np.linalg.eigvalsh(fit.covariance.matrix[3:, 3:])[-1]))
+    if turn > _HOPELESS_ROTATION_RAD or shift > _HOPELESS_POSITION_MM:
+        raise FitError(
+            f"The poses do not determine the measuring frame: standard deviation {np.degrees(turn):.2g} deg and "
+            f"{shift:.2g} mm with this noise. Weakest: {fit.conditioning.description}. Add poses that move the ball to "
+            "the sides and tilt the flange more.",
             Code.NOT_ENOUGH_VARIATION,
         )
 
