@@ -50,29 +50,3 @@ def held_out_residuals(
         whitened = along @ ((along.T @ (root @ residuals[index].ravel())) / left_over[seen])
         errors[index] = np.linalg.solve(root, whitened).reshape(-1, k)
     return errors, unpredicted
-
-
-def pose_groups(matrices: Array, *, distance_mm: float = 0.5, angle_rad: float = 2e-3) -> NDArray[np.int64]:
-    """Number poses (N, 4, 4) so that repeats of one pose share a number; repeats add no geometry.
-
-    Args:
-        matrices: (N, 4, 4) rigid transforms.
-        distance_mm: Poses nearer than this ...
-        angle_rad: ... and turned by less than this are the same pose.
-    """
-    groups = np.full(len(matrices), -1, dtype=np.int64)
-    found = 0
-    for i in range(len(matrices)):
-        if groups[i] >= 0:
-            continue
-        near = np.linalg.norm(matrices[:, :3, 3] - matrices[i, :3, 3], axis=1) < distance_mm
-        turned = angles_between(matrices[:, :3, :3], matrices[i, :3, :3]) < angle_rad
-        groups[near & turned & (groups < 0)] = found
-        found += 1
-    return groups
-
-
-def angles_between(rotations: Array, reference: Array) -> Array:
-    """Angle in rad between each of (N, 3, 3) rotations and one (3, 3); chord formula, exact near zero."""
-    chord = np.linalg.norm(rotations - reference, axis=(-2, -1))
-    return np.asarray(2.0 * np.arcsin(np.minimum(chord / np.sqrt(8.0), 1.0)))

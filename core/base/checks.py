@@ -7,15 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from core.base.start import Start, global_start
 from core.errors import FitError, InputError
-from core.frames import checked_rigid, inverse
-from core.held_out import angles_between, pose_groups
+from core.flange_poses import METRES_BELOW_MM, angles_between, checked_flange_poses, pose_groups
+from core.frames import inverse
 from core.verdict import Code
 
 Array = NDArray[np.float64]
 
 MIN_POSES = 4
-# Real cells are larger than this; anything smaller was written in metres.
-_METRES_BELOW_MM = 10.0
 _MIN_SPREAD_MM = 2.0
 # RMS change of orientation below which the ball offset is not seen: 0.1 mm of robot error makes 50 mm of offset.
 _MIN_TURN = 2e-3
@@ -41,7 +39,7 @@ def checked_observations(base_from_flange: ArrayLike, ball_in_measure_mm: ArrayL
         raise InputError("ball_in_measure_mm: expected N points of three numbers.") from error
     if balls.ndim != 2 or balls.shape[1] != 3:
         raise InputError(f"ball_in_measure_mm: expected N points of three numbers, found shape {balls.shape}.")
-    poses = checked_poses(base_from_flange)
+    poses = checked_flange_poses(base_from_flange)
     if len(poses) != len(balls):
         raise InputError(
             f"{len(poses)} flange poses but {len(balls)} ball centres: each observation needs one of each."
@@ -68,28 +66,6 @@ def checked_observations(base_from_flange: ArrayLike, ball_in_measure_mm: ArrayL
     return poses, balls
 
 
-def checked_poses(base_from_flange: ArrayLike) -> Array:
-    """Validate a stack of rigid flange poses in mm: (N, 4, 4).
-
-    Raises:
-        InputError: not a stack of rigid transforms, or written in metres.
-    """
-    try:
-        stack = np.asarray(base_from_flange, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise InputError("base_from_flange: expected N matrices of 4x4 numbers.") from error
-    if stack.ndim != 3 or stack.shape[1:] != (4, 4):
-        raise InputError(f"base_from_flange: expected N matrices 4x4, found shape {stack.shape}.")
-    poses = [checked_rigid(matrix, f"observations[{i}].base_from_flange") for i, matrix in enumerate(stack)]
-    result = np.array(poses).reshape(-1, 4, 4)
-    if len(result) and np.abs(result[:, :3, 3]).max() < _METRES_BELOW_MM:
-        raise InputError(
-            f"base_from_flange: no flange is farther than {np.abs(result[:, :3, 3]).max():.3g} from the robot base. "
-            "That looks like metres; positions must be in mm."
-        )
-    return result
-
-
 def check_variation(poses: Array, balls: Array) -> None:
     """Refuse observations whose geometry leaves something free, in words.
 
@@ -104,7 +80,7 @@ def check_variation(poses: Array, balls: Array) -> None:
     spread = np.linalg.norm(np.ptp(balls, axis=0))
     moved = np.linalg.norm(np.ptp(poses[:, :3, 3], axis=0))
     if spread < _MIN_SPREAD_MM:
-        if spread > 1e-4 * moved and spread > 0.01 and np.abs(balls).max() < _METRES_BELOW_MM:
+        if spread > 1e-4 * moved and spread > 0.01 and np.abs(balls).max() < METRES_BELOW_MM:
             raise InputError(
                 f"ball_in_measure_mm: the balls are spread over only {spread:.3g} while the flange moved {moved:.4g} "
                 "mm. That looks like metres; ball centres must be in mm."

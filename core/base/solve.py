@@ -13,8 +13,9 @@ from core.base.checks import check_start, check_variation, checked_observations
 from core.base.start import global_start
 from core.conditioning import Conditioning, analyse
 from core.errors import FitError, InputError
+from core.flange_poses import pose_groups
 from core.frames import PoseCovariance, perturbed, rigid, skew, transform_points
-from core.held_out import held_out_residuals, pose_groups
+from core.held_out import held_out_residuals
 from core.verdict import Code
 
 Array = NDArray[np.float64]

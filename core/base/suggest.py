@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from core.base.checks import checked_poses
 from core.base.solve import UNKNOWNS, BaseFit
 from core.errors import InputError
+from core.flange_poses import checked_flange_poses
 from core.frames import skew
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ def suggest_next_pose(fit: BaseFit, candidate_base_from_flange: ArrayLike) -> Po
     Raises:
         InputError: candidates are not rigid transforms in mm.
     """
-    candidates = checked_poses(candidate_base_from_flange)
+    candidates = checked_flange_poses(candidate_base_from_flange)
     if not len(candidates):
         raise InputError("candidate_base_from_flange: give at least one pose.")
     noise = fit.observation_covariance_mm2.mean(axis=0)
