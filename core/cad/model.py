@@ -80,6 +80,7 @@ class CadModel:
         bounds_mm: (2, 3) lower and upper corner of the model's box.
         solid: True where all faces bound closed solids, so that "outward" is certain; False for loose surfaces, whose
             outward side is the one that the file says.
+        lost_faces: Face entities of the file that the kernel made no face of (degenerate ones); worth a warning.
     """
 
     faces: tuple[CadFace, ...]
@@ -87,6 +88,7 @@ class CadModel:
     sha256: str
     bounds_mm: Array
     solid: bool
+    lost_faces: int = 0
     _shape: Any = field(default=None, repr=False)
 
     def face(self, id_or_name: int | str) -> CadFace:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,9 @@ from core.errors import InputError
 
 MAGIC = b"ISO-10303-21"
 END_MARK = b"END-ISO-10303-21"
+TEXTS = re.compile(rb"'(?:[^']|'')*'|/\*.*?\*/", re.S)
+REFERENCES = re.compile(rb"#(\d+)(\s*=)?")
+FACE_ENTITIES = re.compile(rb"=\s*(?:ADVANCED_FACE|FACE_SURFACE)\s*\(")
 
 
 def read_step(path: str | Path) -> CadModel:
@@ -31,16 +35,21 @@ def read_step(path: str | Path) -> CadModel:
     """
     path = Path(path)
     content = _checked_content(path)
+    bare = TEXTS.sub(b"", content)
+    _check_references(path, bare)
     shape, names = load_shape(path)
     kernel_faces = faces_of(shape)
     if not kernel_faces:
         raise InputError(f"{path}: the STEP file holds no solid and no face; expected the solid of a blade. "
                          "Export it as a solid body, not as wireframe or an empty assembly.")
+    listed = len(FACE_ENTITIES.findall(bare))
+    distinct = len({face.TShape() for face in kernel_faces})
     flip = outward_flip(shape)
     faces = tuple(read_face(face, number, name, flip)
                   for number, (face, name) in enumerate(zip(kernel_faces, names, strict=True), start=1))
     return CadModel(faces=faces, path=path, sha256=hashlib.sha256(content).hexdigest(),
-                    bounds_mm=np.array(bounding_box(shape)), solid=is_closed_solid(shape), _shape=shape)
+                    bounds_mm=np.array(bounding_box(shape)), solid=is_closed_solid(shape),
+                    lost_faces=max(0, listed - distinct), _shape=shape)
 
 
 def _checked_content(path: Path) -> bytes:
@@ -61,11 +70,24 @@ def _checked_content(path: Path) -> bytes:
     return content
 
 
+def _check_references(path: Path, bare: bytes) -> None:
+    """Refuse a file in which entities are missing: the kernel would leave out faces without a word."""
+    defined: set[bytes] = set()
+    used: set[bytes] = set()
+    for number, definition in REFERENCES.findall(bare):
+        (defined if definition else used).add(number)
+    if missing := used - defined:
+        first = min(missing, key=int).decode()
+        raise InputError(f"{path}: the STEP file is damaged; {len(missing)} entities are referred to but missing, the "
+                         f"first is #{first}. Copy or export it again.")
+
+
 def _description(start: bytes) -> str:
-    """First bytes of a file in a form that fits into a sentence."""
-    head = start[:24]
-    text = head.decode("ascii", errors="replace")
-    return repr(text) if text.isprintable() and "\ufffd" not in text else f"bytes {head[:8].hex(' ')}"
+    """Beginning of a file in a form that fits into a sentence."""
+    head = start[:24].splitlines()[0]
+    if head.isascii() and head.decode("ascii").isprintable():
+        return repr(head.decode("ascii"))
+    return f"the bytes {start[:8].hex(' ')}"
 
 
 def load_shape(path: Path) -> tuple[Any, tuple[str | None, ...]]:
