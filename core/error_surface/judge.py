@@ -36,7 +36,7 @@ def judge_error_surface(surface: ErrorSurface, limits: ErrorSurfaceLimits | None
     """Accept or reject a fitted surface."""
     limits = limits or ErrorSurfaceLimits()
     n = surface.sample_u.size
-    largest = float(np.abs(surface.evaluate(surface.sample_u, surface.sample_v)[surface.used]).max())
+    largest = float(np.abs((surface.sample_error_mm - surface.residuals_mm)[surface.used]).max())
     reasons = above(
         Code.HELD_OUT_ERROR,
         surface.leave_one_out_rms_mm,

@@ -66,12 +66,11 @@ def average_surfaces(surfaces: Sequence[ErrorSurface]) -> SurfaceAverage:
         raise InputError("The surfaces have no measured patch in common.", Code.LOW_COVERAGE)
     u, v, errors = u[common], v[common], errors[:, common]
     mean = errors.mean(axis=0)
-    whole = common.all() and surfaces[0].region.bounds == (u.min(), u.max(), v.min(), v.max())
     fitted = fit_error_surface(
         u,
         v,
         mean,
-        mode="interpolate" if whole else "smooth",
+        mode="interpolate" if common.all() else "smooth",
         reject=False,
         reach_steps=min(surface.reach_steps for surface in surfaces),
         info={**surfaces[0].info, "average_of": str(len(surfaces))},

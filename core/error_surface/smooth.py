@@ -27,7 +27,10 @@ MOST_INTERVALS = 40
 REJECT_SIGMAS = 4.5
 # Nothing nearer than this to the surface is called a bounce, however quiet the other samples are.
 REJECT_FLOOR_MM = 0.02
-LOG_PENALTY_RANGE = (-16.0, 6.0)
+# Beyond 10^0 the surface is bilinear to within 0.2 % of what the data say, and the equations lose digits.
+LOG_PENALTY_RANGE = (-16.0, 0.0)
+# Readings are never better than this; without it, noise-free samples would be followed by every control point.
+LEAST_NOISE_MM = 1e-4
 # Least squares with few knots: just enough penalty to keep knots without samples from being singular.
 REGRESSION_LOG_PENALTY = -12.0
 UNPENALISED = 4
@@ -94,7 +97,7 @@ def _solve(problem: _Problem, gram: Array, rhs: Array, square: float, count: flo
     factor = BandedFactor.of(gram + weights[0] * problem.bends[0] + weights[1] * problem.bends[1])
     coefficients = factor.solve(rhs)
     # rss + penalty, written so that it needs no second pass over the samples.
-    objective = max(square - float(coefficients @ rhs), 1e-14 * max(square, 1e-12))
+    objective = max(square - float(coefficients @ rhs), 0.0) + count * LEAST_NOISE_MM**2
     if problem.sigma_mm is None:
         misfit = (count - UNPENALISED) * np.log(objective)
     else:

@@ -79,7 +79,7 @@ def test_regression_covariance_is_the_spread_over_noise():
     runs = []
     for _ in range(150):
         surface = fit_error_surface(
-            u, v, u**2 * v + rng.normal(0, 0.02, u.size), mode="smooth", intervals=(2, 2), sigma_mm=0.02
+            u, v, u**2 * v + rng.normal(0, 0.02, u.size), mode="smooth", intervals=(2, 2), sigma_mm=0.02, reject=False
         )
         runs.append(surface.evaluate(*at) - at[0] ** 2 * at[1])
     nees = np.mean([run @ np.linalg.solve(surface.covariance_at(*at), run) for run in runs]) / 3
