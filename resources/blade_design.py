@@ -108,7 +108,7 @@ def _thickness_coefficients(chord: float, thickness: float, edge_radius: float, 
 
     a0 makes the leading edge's radius, the others the top (place and height) and the trailing edge (height and slope).
     """
-    top, tail = 0.38, 1.45
+    top, tail = 0.38, 1.6
     a0 = np.sqrt(2.0 * edge_radius * chord)
     slope = -tail * (thickness - trailing) / 2 / (1.0 - top)
     powers = np.arange(1, 5)

@@ -72,7 +72,9 @@ class _Net:
         if p == 0:
             return _Net(np.zeros_like(self.control), 0, self.degree_v, self.knots_u, self.knots_v)
         span = self.knots_u[p + 1:-1] - self.knots_u[1:-p - 1]
-        control = p * np.diff(self.control, axis=0) / span[:, None, None]
+        # Where a knot is repeated as often as the degree, the function that belongs to the pole is zero everywhere.
+        scale = np.divide(p, span, out=np.zeros_like(span), where=span > 0.0)
+        control = np.diff(self.control, axis=0) * scale[:, None, None]
         return _Net(control, p - 1, self.degree_v, self.knots_u[1:-1], self.knots_v)
 
     def along_v(self) -> _Net:
