@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from devices.sim.airfoil import GRID_U, GRID_V, SplinePoles, TrueAirfoil
+from devices.sim.airfoil import SplinePoles, TrueAirfoil
+from devices.sim.contact import ContactSolver
 from devices.sim.geometry import Array
-from devices.sim.rays import AirfoilSurface, CylinderSurface, PlaneSurface, Solid, Surface
+from devices.sim.rays import AirfoilSurface, CylinderSurface, PlaneSurface, RayScene, Solid, Surface
 
 _CHORD_MM = 0.05  # planes and cylinders are refined exactly: the mesh only has to find the face
 _FINE_CHORD_MM = 0.002
-_MESH_STEP_U, _MESH_STEP_V = 2, 4
+_MESH_STEP_U, _MESH_STEP_V = 2, 4  # divide the airfoil's grid evenly
+
+_FaceMesh = tuple[Array, NDArray[np.intp], Surface | None]
 
 
 class BladeFileError(ValueError):
@@ -24,7 +28,7 @@ class BladeFileError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Blade:
-    """One blade type with its error.
+    """One blade type with its error; never changes, so worlds may share one.
 
     Attributes:
         solid: For ray casting, frame {W}.
@@ -34,9 +38,22 @@ class Blade:
     solid: Solid
     airfoil: TrueAirfoil
 
+    @cached_property
+    def scene(self) -> RayScene:
+        """The solid, ready for rays in {W}; made on first use."""
+        return RayScene(self.solid)
 
-def load_blade(step: Path, shape_error_mm: float, airfoil_shift_mm: Array) -> Blade:
+    @cached_property
+    def contacts(self) -> ContactSolver:
+        """Finds where a wheel touches the airfoil; made on first use."""
+        return ContactSolver(self.airfoil)
+
+
+@lru_cache(maxsize=4)
+def load_blade(step: Path, shape_error_mm: float, airfoil_shift_mm: tuple[float, float, float]) -> Blade:
     """Read a blade; its airfoil is the face named AIRFOIL, or else the largest B-spline face.
+
+    A blade that was read before with the same error is returned again.
 
     Args:
         step: STEP file in mm.
@@ -52,21 +69,20 @@ def load_blade(step: Path, shape_error_mm: float, airfoil_shift_mm: Array) -> Bl
     ]
     if not candidates:
         raise BladeFileError(f"{step}: no B-spline face found that could be the airfoil.")
-    chosen = max(candidates, key=lambda i: faces[i][2].poles.size if faces[i][2] is not None else 0)
+    chosen = max(candidates, key=lambda i: _pole_count(faces[i][2]))
     poles = faces[chosen][2]
     if poles is None:
         raise BladeFileError(f"{step}: the face AIRFOIL is not a non-rational B-spline surface.")
-    airfoil = TrueAirfoil(poles, lambda v: shape_error_mm * np.cos(4.0 * np.pi * v), airfoil_shift_mm)
+    airfoil = TrueAirfoil(poles, lambda v: shape_error_mm * np.cos(4.0 * np.pi * v), np.array(airfoil_shift_mm))
 
     vertices, triangles, face_of, surfaces = [], [], [], []
     used = 0
-    for index, (face, _, _) in enumerate(faces):
-        if index == chosen:
-            points, corners, surface = _airfoil_mesh(airfoil, used)
-        elif faces[index][1] == "TE":
-            points, corners, surface = _trailing_edge_mesh(airfoil)
-        else:
-            points, corners, surface = _face_mesh(face)
+    for index, (face, name, _) in enumerate(faces):
+        points, corners, surface = (
+            _airfoil_mesh(airfoil, used) if index == chosen
+            else _trailing_edge_mesh(airfoil) if name == "TE"
+            else _face_mesh(face)
+        )  # fmt: skip
         vertices.append(points)
         triangles.append(corners + used)
         face_of.append(np.full(len(corners), index, dtype=np.intp))
@@ -122,7 +138,11 @@ def _poles(face: Any) -> SplinePoles | None:
     return SplinePoles(poles, np.array(knots_u), np.array(knots_v), spline.UDegree(), spline.VDegree(), outward)
 
 
-def _airfoil_mesh(airfoil: TrueAirfoil, first: int) -> tuple[Array, NDArray[np.intp], AirfoilSurface]:
+def _pole_count(poles: SplinePoles | None) -> int:
+    return 0 if poles is None else poles.poles.size
+
+
+def _airfoil_mesh(airfoil: TrueAirfoil, first: int) -> _FaceMesh:
     u, v = airfoil.u[::_MESH_STEP_U], airfoil.v[::_MESH_STEP_V]
     points = airfoil.points[::_MESH_STEP_U, ::_MESH_STEP_V].reshape(-1, 3)
     index = np.arange(len(u) * len(v)).reshape(len(u), len(v))
@@ -134,11 +154,10 @@ def _airfoil_mesh(airfoil: TrueAirfoil, first: int) -> tuple[Array, NDArray[np.i
     # indices of triangles count over the whole solid: parameters of earlier vertices are never looked up
     uv = np.full((first + len(points), 2), np.nan)
     uv[first:] = np.stack([grid_u.ravel(), grid_v.ravel()], axis=1)
-    assert (GRID_U - 1) % _MESH_STEP_U == 0 and (GRID_V - 1) % _MESH_STEP_V == 0
     return points, corners, AirfoilSurface(airfoil, uv)
 
 
-def _trailing_edge_mesh(airfoil: TrueAirfoil) -> tuple[Array, NDArray[np.intp], None]:
+def _trailing_edge_mesh(airfoil: TrueAirfoil) -> _FaceMesh:
     """The blunt trailing edge, ruled between the ends of the true airfoil so that no gap opens."""
     points = np.concatenate([airfoil.points[0], airfoil.points[-1]])
     count = airfoil.points.shape[1]
@@ -150,7 +169,7 @@ def _trailing_edge_mesh(airfoil: TrueAirfoil) -> tuple[Array, NDArray[np.intp], 
     return points, corners, None
 
 
-def _face_mesh(face: Any) -> tuple[Array, NDArray[np.intp], Surface | None]:
+def _face_mesh(face: Any) -> _FaceMesh:
     from OCP.BRep import BRep_Tool
     from OCP.BRepMesh import BRepMesh_IncrementalMesh
     from OCP.TopAbs import TopAbs_Orientation

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from devices.interfaces.errors import Lost
+from devices.interfaces.errors import Lost, Stale
 from devices.sim.geometry import Array, rigid, turn
 
 
@@ -28,6 +28,7 @@ class Faults:
         self.wheel_wear_mm: dict[str, float] = {}
         self.angle_zero_rad: dict[str, float] = {}
         self._lost: set[str] = set()
+        self._stalled: set[str] = set()
 
     def move_ball(self, shift_in_flange_mm: Sequence[float] | Array) -> None:
         """Knock the ball by this much in {F}."""
@@ -51,11 +52,18 @@ class Faults:
         """Cut the connection to a device."""
         self._lost.add(device)
 
+    def stall(self, device: str) -> None:
+        """Let a device answer with its last value for ever."""
+        self._stalled.add(device)
+
     def restore(self, device: str) -> None:
-        """Connect a device again."""
+        """Connect a device again, with fresh values."""
         self._lost.discard(device)
+        self._stalled.discard(device)
 
     def check(self, device: str) -> None:
-        """Raise `Lost` while the device is cut off."""
+        """Raise `Lost` while the device is cut off, `Stale` while its values stand still."""
         if device in self._lost:
             raise Lost(device, "the connection is gone. Check its cable and power, then connect it again.")
+        if device in self._stalled:
+            raise Stale(device, "it answers, but its values stand still. Wait, or connect it again.")

@@ -7,6 +7,7 @@ airfoil by Newton steps; other faces keep the point of their fine tessellation.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -83,19 +84,22 @@ class Hits:
 
 
 class RayScene:
-    """One solid, ready for rays given in its own frame."""
+    """One solid, ready for rays given in its own frame; its search tree is made at the first ray."""
 
     def __init__(self, solid: Solid) -> None:
         self.solid = solid
-        open3d = _open3d()
-        self._scene: Any = open3d.t.geometry.RaycastingScene(nthreads=2)
-        self._scene.add_triangles(
-            open3d.core.Tensor(solid.vertices.astype(np.float32)), open3d.core.Tensor(solid.triangles.astype(np.uint32))
-        )
         corners = solid.vertices[solid.triangles]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         self._normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
         self._used = np.unique(solid.triangles)
+
+    @cached_property
+    def _scene(self) -> Any:
+        open3d = _open3d()
+        scene = open3d.t.geometry.RaycastingScene(nthreads=2)
+        vertices = open3d.core.Tensor(self.solid.vertices.astype(np.float32))
+        scene.add_triangles(vertices, open3d.core.Tensor(self.solid.triangles.astype(np.uint32)))
+        return scene
 
     def bounding_sphere(self) -> tuple[Array, float]:
         """Centre (3,) and radius in mm of a sphere around the solid."""

@@ -67,10 +67,10 @@ class SimulatedScanner:
         distance, normal, face = self._cast(rays)
         seen = np.isfinite(distance)
         cosine = np.abs(np.einsum("ij,ij->i", rays, normal))
+        distance[~seen] = np.nan
         depth = distance * rays[:, 2]
-        seen &= (depth >= world.plan.scanner.near_mm) & (depth <= world.plan.scanner.far_mm)
-        distance = np.where(seen, distance, np.nan)
-        settings = world.settings.scanner
+        plan, settings = world.plan.scanner, world.settings.scanner
+        seen &= (depth >= plan.near_mm) & (depth <= plan.far_mm)
         spread = settings.noise_mm * (1.0 + settings.noise_growth * (1.0 / np.maximum(cosine, _GRAZING) - 1.0))
         noise = (rng.standard_normal(len(rays)) * spread).reshape(shape)
         image = _with_ghosts(distance.reshape(shape), settings, rng) + noise
@@ -98,7 +98,7 @@ class SimulatedScanner:
         scanner_from_flange = inverse(world.base_from_scanner()) @ world.true_flange()
         scenes = [(world.mounted.scene, scanner_from_flange, -3)]
         if world.mounted.item == "blade":
-            scenes.append((world.blade_scene, scanner_from_flange @ world.flange_from_work, 0))
+            scenes.append((world.blade.scene, scanner_from_flange @ world.flange_from_work, 0))
         distance, normal = np.full(len(rays), np.inf), np.zeros((len(rays), 3))
         face = np.full(len(rays), -1, dtype=np.intp)
         for scene, scanner_from_scene, label in scenes:
@@ -176,6 +176,9 @@ def _with_ghosts(image: Array, settings: ScannerTruth, rng: np.random.Generator)
     for axis in (0, 1):
         for shift in (-1, 1):
             other = np.roll(image, shift, axis=axis)
+            border = [slice(None), slice(None)]
+            border[axis] = slice(0, 1) if shift == 1 else slice(-1, None)
+            other[tuple(border)] = image[tuple(border)]  # beyond the field nothing is known: no edge
             chance, weight = rng.uniform(size=image.shape), rng.uniform(size=image.shape)
             jump = np.abs(other - image) > settings.ghost_jump_mm
             mixed = jump & (chance < settings.ghost_share)
@@ -190,7 +193,7 @@ def _dropped(cosine: Array, settings: ScannerTruth, rng: np.random.Generator, pi
     start, end = settings.dropout_start_deg, settings.dropout_end_deg
     grazing = np.clip((np.rad2deg(np.arccos(np.clip(cosine, 0.0, 1.0))) - start) / (end - start), 0.0, 1.0)
     dropped = rng.uniform(size=cosine.shape) < np.maximum(grazing, settings.random_dropout)
-    rows, columns = np.indices(cosine.shape, sparse=True)
+    rows, columns = np.arange(cosine.shape[0])[:, None], np.arange(cosine.shape[1])[None, :]
     for _ in range(rng.poisson(settings.patches)):
         middle = rng.uniform(size=2) * cosine.shape
         half = settings.patch_mm * rng.uniform(0.3, 1.0, size=2) / pixel_mm

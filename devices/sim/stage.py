@@ -10,6 +10,7 @@ import numpy as np
 from devices.interfaces.errors import DeadlineExceeded, Refused, Stopped
 from devices.interfaces.limits import Limit
 from devices.interfaces.stage import StagePosition
+from devices.sim.geometry import Array
 from devices.sim.world import World
 
 _TICK_S = 0.05
@@ -98,13 +99,13 @@ class SimulatedStage:
         finally:
             self._moving = False
 
-    def _place(self, values: np.ndarray) -> None:
+    def _place(self, values: Array) -> None:
         settings, rng = self._world.settings.stage, self._world.rng(_NAME)
         noise = rng.normal(0.0, 1.0, 4) * np.array(
             [settings.repeatability_mm] * 3 + [np.deg2rad(settings.repeatability_deg)]
         )
-        self._reported = StagePosition(*(float(value) for value in values))
-        self._world.stage_position = StagePosition(*(float(value) for value in values + noise))
+        self._reported = _position(values)
+        self._world.stage_position = _position(values + noise)
 
     def _check_connection(self) -> None:
         try:
@@ -112,6 +113,11 @@ class SimulatedStage:
         except Exception:
             self._homed = False
             raise
+
+
+def _position(values: Array) -> StagePosition:
+    x, y, z, theta = (float(value) for value in values)
+    return StagePosition(x, y, z, theta)
 
 
 def _values(position: StagePosition) -> tuple[float, float, float, float]:

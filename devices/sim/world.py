@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ from devices.clock import Clock
 from devices.interfaces.errors import Refused
 from devices.interfaces.operator import Item
 from devices.interfaces.stage import StagePosition
-from devices.sim.blade import Blade, load_blade
-from devices.sim.contact import Contact, ContactSolver, Head
+from devices.sim.blade import Blade, BladeFileError, load_blade
+from devices.sim.contact import Contact, Head
 from devices.sim.faults import Faults
 from devices.sim.fixture import ball_fixture, bare_fixture, blade_fixture
 from devices.sim.geometry import Array, apply, inverse, random_unit, rigid, small_pose, turn, unit
@@ -120,11 +121,9 @@ class World:
             name: entry.base_from_tool @ small_pose(build, grinder.shift_mm, np.deg2rad(grinder.tilt_deg))
             for name, entry in plan.grinders.items()
         }
-        self.blade: Blade = load_blade(
-            blade_step, settings.blade.shape_error_mm, np.array(settings.blade.airfoil_shift_mm)
-        )
-        self._contacts = ContactSolver(self.blade.airfoil)
-        self._blade_scene: RayScene | None = None
+        if not blade_step.is_file():
+            raise BladeFileError(f"{blade_step}: there is no such file.")
+        self._blade_step = blade_step
         self._clampings: dict[str, int] = {}
         self._seed = seed
         self.stage_position = StagePosition(0.0, 0.0, 0.0, 0.0)
@@ -135,6 +134,12 @@ class World:
     def rng(self, device: str) -> np.random.Generator:
         """The generator of one device."""
         return self._rng[device]
+
+    @cached_property
+    def blade(self) -> Blade:
+        """The true blade; read at first use."""
+        error = self.settings.blade
+        return load_blade(self._blade_step, error.shape_error_mm, error.airfoil_shift_mm)
 
     # ---- robot
 
@@ -207,13 +212,6 @@ class World:
         """How the mounted blade really is clamped now."""
         return np.asarray(self.mounted.flange_from_work @ self.faults.blade_slip)
 
-    @property
-    def blade_scene(self) -> RayScene:
-        """The blade for ray casting, in {W}; made on first use."""
-        if self._blade_scene is None:
-            self._blade_scene = RayScene(self.blade.solid)
-        return self._blade_scene
-
     # ---- grinders
 
     def base_from_tool(self, grinder: str) -> Array:
@@ -248,7 +246,7 @@ class World:
             axis=work_from_base[:3, :3] @ head.axis,
             wheel_centre=apply(work_from_base, head.wheel_centre),
         )
-        return self._contacts.solve(in_work, *plan.travel_rad)
+        return self.blade.contacts.solve(in_work, *plan.travel_rad)
 
     def true_normal_error(self, grinder: str, base_from_flange: Array) -> float:
         """How far the wheel centre is from K0 along the contact normal when the robot goes to a pose.
