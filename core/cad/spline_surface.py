@@ -26,6 +26,8 @@ DOMAIN_TOLERANCE = 1e-9
 NEWTON_STEPS = 30
 # Converged when a step moves the foot by less than this.
 FOOT_TOLERANCE_MM = 1e-9
+STEP_HALVINGS = 8
+CLOSED_MM = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,6 +143,14 @@ class SplineSurface:
         du, dv = net.along_u(), net.along_v()
         return {"": net, "u": du, "v": dv, "uu": du.along_u(), "uv": du.along_v(), "vv": dv.along_v()}
 
+    @cached_property
+    def _closed(self) -> NDArray[np.bool_]:
+        """(2,) True where the surface meets itself at both ends of u, of v."""
+        (u0, u1), (v0, v1) = self.domain
+        u, v = np.linspace(u0, u1, 2 * self.poles_mm.shape[0]), np.linspace(v0, v1, 2 * self.poles_mm.shape[1])
+        return np.array([np.abs(self.point(u0, v) - self.point(u1, v)).max() < CLOSED_MM,
+                         np.abs(self.point(u, v0) - self.point(u, v1)).max() < CLOSED_MM])
+
     def _checked(self, u: ArrayLike, v: ArrayLike) -> tuple[Array, Array, tuple[int, ...]]:
         """Flat parameters inside the domain and the shape to give back."""
         u, v = np.broadcast_arrays(np.asarray(u, dtype=float), np.asarray(v, dtype=float))
@@ -243,20 +253,24 @@ class SplineSurface:
         safe = (np.linalg.det(hessian) > 0.05 * np.linalg.det(metric)) & (np.trace(hessian, axis1=1, axis2=2) > 0.0)
         hessian = np.where(safe[:, None, None], hessian, metric)
         # A parameter held at the edge of the domain, with the descent pointing outside, takes no part.
-        held = ((uv <= low) & (gradient > 0.0)) | ((uv >= high) & (gradient < 0.0))
+        closed = self._closed
+        held = ~closed & (((uv <= low) & (gradient > 0.0)) | ((uv >= high) & (gradient < 0.0)))
         gradient = np.where(held, 0.0, gradient)
         hessian = np.where(held[:, :, None] | held[:, None, :], np.eye(2) * metric, hessian)
         step = -np.linalg.solve(hessian, gradient[..., None])[..., 0]
-        stepped = np.clip(uv + step, low, high)
         before = np.sum(offset**2, axis=1)
-        for _ in range(8):
-            after = np.sum((self._evaluated(stepped[:, 0], stepped[:, 1], ("",))[0] - target) ** 2, axis=1)
+        scale = np.ones((len(target), 1))
+        for _ in range(STEP_HALVINGS):
+            stepped = uv + scale * step
+            stepped = np.where(closed, stepped, np.clip(stepped, low, high))
+            wrapped = np.where(closed, low + np.mod(stepped - low, high - low), stepped)
+            after = np.sum((self._evaluated(wrapped[:, 0], wrapped[:, 1], ("",))[0] - target) ** 2, axis=1)
             worse = after > before * (1.0 + 1e-12) + 1e-18
             if not worse.any():
                 break
-            stepped[worse] = (stepped[worse] + uv[worse]) / 2
+            scale[worse] /= 2
         change = stepped - uv
-        return stepped, np.linalg.norm(change[:, :1] * du + change[:, 1:] * dv, axis=1)
+        return wrapped, np.linalg.norm(change[:, :1] * du + change[:, 1:] * dv, axis=1)
 
 
 def spline_surface_of(model: CadModel, face: CadFace) -> SplineSurface:
