@@ -33,12 +33,12 @@ def coverage(directions: Array, rng: np.random.Generator) -> float:
     if len(directions) > _MOST_POINTS:
         directions = directions[rng.choice(len(directions), _MOST_POINTS, replace=False)]
     tree = cKDTree(directions)
-    gaps = tree.query(directions, k=2)[0][:, 1]
+    gaps = np.asarray(tree.query(directions, k=2)[0])[:, 1]
     # For a random scatter of density n the median gap is 0.47 / sqrt(n); 2 % of the area is farther than 2.4 gaps
     # from every point. The cells themselves are 0.025 rad apart.
     reach = float(np.clip(2.4 * np.median(gaps), 0.05, 0.5))
     cells = fibonacci_directions(_CELLS)
-    marked = tree.query(cells, distance_upper_bound=reach)[0] <= reach
+    marked = np.asarray(tree.query(cells, distance_upper_bound=reach)[0]) <= reach
     if marked.all():
         return 1.0
     away = cKDTree(cells[~marked]).query(cells[marked], distance_upper_bound=reach)[0]
@@ -65,9 +65,7 @@ class Cells:
         return np.asarray(~self.dirty[ring, sector])
 
 
-def _cell_of(
-    directions: Array, axis: Array, rings: int, sectors: int
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _cell_of(directions: Array, axis: Array, rings: int, sectors: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     side = np.linalg.svd(axis[None, :])[2][1:]
     ring = np.clip(((1.0 - directions @ axis) * 0.5 * rings).astype(int), 0, rings - 1)
     turn = np.arctan2(directions @ side[0], directions @ side[1]) / (2.0 * np.pi) + 0.5

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from core.ball.coverage import coverage
-from core.ball.sphere_refine import Refined, Sphere, information, refine, robust, step, truncation_factors
+from core.ball.sphere_refine import Refined, Sphere, information, refine, step, truncation_factors
 from core.ball.sphere_search import Candidate, RadiusRange, ball_candidates, looks_like_a_ball
 from core.errors import FitError, InputError
 from core.robust import mad_sigma
@@ -27,6 +27,8 @@ LARGEST_DIAMETER_MM = 300.0
 HINT_TOLERANCE = 0.2
 # Beyond this relative sigma a free diameter is not determined.
 LARGEST_RELATIVE_SIGMA = 0.1
+# A scanner noisier than this measures no ball.
+NOISIEST_MM = 0.4
 _SEARCH_POINTS = 5000
 _MOST_CANDIDATES = 6
 # Enough points for the figures that only check the fit.
@@ -189,12 +191,16 @@ def _radius_range(diameter_mm: float | None, fixed: bool) -> RadiusRange:
 def _not_found(some: Array, radii: RadiusRange, rng: np.random.Generator) -> str:
     if radii.expected is None:
         return (
-            f"No ball of {SMALLEST_DIAMETER_MM:g} to {LARGEST_DIAMETER_MM:g} mm diameter was found in the scan (planes, "
-            "cylinders and scattered points do not count, nor a cap too flat to tell from a plane). Aim at the ball, "
+            f"No ball of {SMALLEST_DIAMETER_MM:g} to {LARGEST_DIAMETER_MM:g} mm diameter was found in the scan ("
+            "planes, cylinders and scattered points do not count, nor a cap too flat to tell from a plane). Aim at the ball, "
             "or give its certified diameter with --diameter and --fix-diameter."
         )
     wanted = f"No ball of diameter {2.0 * radii.expected:.4g} mm was found in the scan"
-    other = next(ball_candidates(some, _radius_range(None, False), rng), None)
+    others = (
+        _refined(some, some, candidate, rng, fixed=False)
+        for candidate in islice(ball_candidates(some, _radius_range(None, False), rng), _MOST_CANDIDATES)
+    )
+    other = next((refined for refined in others if refined is not None), None)
     if other is None:
         return f"{wanted}. Aim the scanner at the ball and see that nothing hides it."
     found = 2.0 * other.sphere.radius
@@ -212,7 +218,11 @@ def _refined(
     sigma = max(mad_sigma(residuals[inside], centred=True), 1e-9 * start.radius)
     refined = refine(start, local, sigma, fixed=fixed, rng=rng)
     sphere = refined.sphere
-    if np.count_nonzero(refined.inliers) < MIN_INLIERS or refined.sigma > 0.05 * start.radius:
+    # A fit that shrinks onto a coincidence keeps few of the candidate's points and does not settle.
+    kept = np.mean(refined.inliers) / np.mean(inside)
+    if not refined.converged or kept < 0.4 or np.count_nonzero(refined.inliers) < MIN_INLIERS:
+        return None
+    if refined.sigma > min(0.05 * start.radius, NOISIEST_MM):
         return None
     shift = float(np.linalg.norm(sphere.center - start.center))
     if shift > 0.3 * start.radius or abs(sphere.radius - start.radius) > 0.3 * start.radius:

@@ -155,14 +155,10 @@ def refine(start: Sphere, points: Array, sigma_start: float, *, fixed: bool, rng
         result = _settle(result.sphere, few[clean], result.sigma, fixed=fixed)
         iterations += result.iterations
         trusted = cells.trusted(_directions(result.sphere, near))
+    result = _settle(result.sphere, near[trusted], result.sigma, fixed=fixed)
     inliers = np.zeros(len(points), dtype=bool)
-    if len(few) < len(near) or not trusted.all():
-        result = _settle(result.sphere, near[trusted], result.sigma, fixed=fixed)
-        iterations += result.iterations
-        inliers[gate[trusted][result.inliers]] = True
-    else:
-        inliers[gate[result.inliers]] = True
-    return replace(result, inliers=inliers, iterations=iterations)
+    inliers[gate[trusted][result.inliers]] = True
+    return replace(result, inliers=inliers, iterations=iterations + result.iterations)
 
 
 def _directions(sphere: Sphere, points: Array) -> Array:

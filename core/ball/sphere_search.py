@@ -262,8 +262,8 @@ def curvature_is_seen(sphere: Sphere, points: Array, width: float, *, fixed: boo
     covariance = np.linalg.pinv(information(free, points, fixed=False), rcond=1e-13)
     sigma_curvature = noise * float(np.sqrt(covariance[3, 3])) / free.radius**2
     curvature = 1.0 / free.radius
-    if curvature < 4.0 * sigma_curvature:
+    if curvature < 6.0 * sigma_curvature:
         return False
     if not fixed:
         return True
-    return abs(curvature * sphere.radius - 1.0) < max(5.0 * sigma_curvature * sphere.radius, 0.05)
+    return bool(abs(curvature * sphere.radius - 1.0) < max(5.0 * sigma_curvature * sphere.radius, 0.05))
