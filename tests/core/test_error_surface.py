@@ -227,7 +227,7 @@ def test_interpolation_refuses_incomplete_grids_and_outliers():
         fit_error_surface(u[2:], v[2:], error[2:])
     lost = error.copy()
     lost[40] = np.nan
-    with pytest.raises(InputError, match="1 of .*--smooth"):
+    with pytest.raises(InputError, match=r"1 of .*--smooth"):
         fit_error_surface(u, v, lost)
     dense_u, dense_v = grid()
     bounced = truth(dense_u, dense_v)

@@ -1,5 +1,7 @@
 """Leave-one-out errors and covariance against brute force; the banded inverse against the dense one."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -23,7 +25,7 @@ def integral(first, second):
     nodes, weights = np.polynomial.legendre.leggauss(5)
     breaks = np.unique(np.concatenate([first.t, second.t]))
     total = 0.0
-    for low, high in zip(breaks[:-1], breaks[1:], strict=True):
+    for low, high in pairwise(breaks):
         x = 0.5 * (low + high) + 0.5 * (high - low) * nodes
         total = total + 0.5 * (high - low) * (first(x).T * weights) @ second(x)
     return total
