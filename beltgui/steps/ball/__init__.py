@@ -1,0 +1,1 @@
+"""Step 1, ball: the scanner on its stage."""

@@ -1,0 +1,1 @@
+"""Step 2, base: the measurement frame in the robot base."""

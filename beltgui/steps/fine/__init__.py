@@ -1,0 +1,1 @@
+"""Step 4, fine workpiece: the pose of the blade from its machined faces."""

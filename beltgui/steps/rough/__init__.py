@@ -1,0 +1,1 @@
+"""Step 3, rough workpiece: a first pose of the blade."""

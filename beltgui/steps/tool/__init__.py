@@ -1,0 +1,1 @@
+"""Step 5, stylus and tool: the wheel of each grinder."""
