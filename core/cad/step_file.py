@@ -18,6 +18,9 @@ MAGIC = b"ISO-10303-21"
 END_MARK = b"END-ISO-10303-21"
 TEXTS = re.compile(rb"'(?:[^']|'')*'|/\*.*?\*/", re.S)
 REFERENCES = re.compile(rb"#(\d+)(\s*=)?")
+DATA_SECTION = re.compile(rb"DATA\s*(?:\([^;]*\))?\s*;(.*?)ENDSEC\s*;", re.S)
+STATEMENT = re.compile(rb"\s*#\d+\s*=\s*(?:[A-Z!][A-Z0-9_]*\s*)?\([-+A-Z0-9_!#$*.,()\"\s]*\)\s*")
+CARRIES_SHAPE = re.compile("Representation|Mapped|Transformation")
 FACE_ENTITIES = re.compile(rb"=\s*(?:ADVANCED_FACE|FACE_SURFACE)\s*\(")
 
 
@@ -36,6 +39,7 @@ def read_step(path: str | Path) -> CadModel:
     path = Path(path)
     content = _checked_content(path)
     bare = TEXTS.sub(b"", content)
+    _check_statements(path, bare)
     _check_references(path, bare)
     shape, names = load_shape(path)
     kernel_faces = faces_of(shape)
@@ -68,6 +72,16 @@ def _checked_content(path: Path) -> bytes:
         raise InputError(f"{path}: the STEP file is cut off; its end mark {END_MARK.decode()} is missing after "
                          f"{len(content)} bytes. Copy or export it again.")
     return content
+
+
+def _check_statements(path: Path, bare: bytes) -> None:
+    """Refuse a file with a garbled statement and name the first one."""
+    for section in DATA_SECTION.findall(bare):
+        for statement in section.split(b";")[:-1]:
+            if STATEMENT.fullmatch(statement) is None or statement.count(b"(") != statement.count(b")"):
+                found = " ".join(statement.decode("ascii", errors="replace").split())[:40]
+                raise InputError(f"{path}: the STEP file is damaged at {found!r}; expected `#number = NAME(..)`. "
+                                 "Copy or export it again.")
 
 
 def _check_references(path: Path, bare: bytes) -> None:
@@ -107,6 +121,7 @@ def load_shape(path: Path) -> tuple[Any, tuple[str | None, ...]]:
         status = reader.ReadFile(str(path))
         if status != IFSelect_ReturnStatus.IFSelect_RetDone:
             raise InputError(f"{path}: the STEP file can't be parsed; its text is damaged. Export it again.")
+        _check_entities(path, reader.StepModel())
         if reader.TransferRoots() == 0:
             raise InputError(f"{path}: the STEP file holds no shape that can be read; expected the solid of a blade.")
         shape = reader.OneShape()
@@ -114,6 +129,21 @@ def load_shape(path: Path) -> tuple[Any, tuple[str | None, ...]]:
         raise InputError(f"{path}: the STEP file can't be read by the CAD kernel ({error}). "
                          "Export it again.") from error
     return shape, tuple(_face_name(reader, face) for face in faces_of(shape))
+
+
+def _check_entities(path: Path, model: Any) -> None:
+    """Refuse geometry whose fields the kernel couldn't read: it would go on with null pointers and crash.
+
+    Damage in annotations, colours and the like is passed over; the kernel skips those.
+    """
+    for place in range(1, model.NbEntities() + 1):
+        if not model.IsErrorEntity(place):
+            continue
+        kind = type(model.Entity(place))
+        room, name = kind.__module__.rpartition(".")[2], kind.__name__.partition("_")[2]
+        if room in ("StepGeom", "StepShape") or (room == "StepRepr" and CARRIES_SHAPE.search(name)):
+            raise InputError(f"{path}: the STEP file is damaged; a {name} entity has fields of the wrong kind. "
+                             "Copy or export it again.")
 
 
 def _face_name(reader: Any, face: Any) -> str | None:

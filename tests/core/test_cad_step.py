@@ -223,6 +223,23 @@ def test_a_file_cut_off_anywhere_is_refused(tmp_path):
         read_step(path)
 
 
+@pytest.mark.parametrize(("old", "new", "message"), [
+    ("= ORIENTED_EDGE(", "= ORIENTXD_EDGE(", "EdgeLoop entity has fields of the wrong kind"),
+    ("= LINE(", "=0LINE(", r"damaged at '#\d+ =0LINE"),
+    ("= LINE(", "= LI\xffNE(", r"damaged at '#\d+ = LI"),
+    ("= DIRECTION(", "=)[ DIRECTION(", r"damaged at '#\d+ =\)\["),
+    ("= CARTESIAN_POINT('',(", "= CARTESIAN_POINT('',((", "damaged at"),
+    ("= PLANE(", "= SPHERICAL_SURFACE(", "SphericalSurface entity has fields of the wrong kind"),
+])
+def test_damage_that_would_crash_the_kernel_is_named(tmp_path, old, new, message):
+    path = shapes.write(shapes.box(), tmp_path / "box.step")
+    text = path.read_text(encoding="latin-1")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="latin-1")
+    with pytest.raises(InputError, match=message):
+        read_step(path)
+
+
 def test_a_file_of_wires_only_is_refused(tmp_path):
     from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
     from OCP.gp import gp_Pnt
