@@ -97,11 +97,15 @@ def load_blade(step: Path, shape_error_mm: float, airfoil_shift_mm: tuple[float,
 
 def _read_faces(step: Path) -> list[tuple[Any, str, SplinePoles | None]]:
     from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.Message import Message
     from OCP.STEPControl import STEPControl_Reader
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer
     from OCP.TopoDS import TopoDS
 
+    messenger = Message.DefaultMessenger_s()
+    for printer in list(messenger.Printers()):
+        messenger.RemovePrinter(printer)  # stdout belongs to the caller's results
     reader = STEPControl_Reader()
     if not step.is_file() or reader.ReadFile(str(step)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise BladeFileError(f"{step}: not a readable STEP file.")

@@ -37,11 +37,12 @@ class SimulatedGrinder:
         lost, bounced, sign = rng.uniform(size=3)
         bounce_mm = rng.uniform(settings.bounce_low_mm, settings.bounce_high_mm)
         angle_noise, force_noise = rng.normal(size=2)
-        if lost < settings.lost_share:
+        angle, force = self._true_angle_and_force()
+        touching = force > _TOUCHING_N  # the belt runs only then: it is what disturbs head and bus
+        if touching and lost < settings.lost_share:
             world.clock.wait(deadline_s)
             raise DeadlineExceeded(self._device, f"no sample came within {deadline_s:g} s. Ask again.")
-        angle, force = self._true_angle_and_force()
-        if force > _TOUCHING_N and bounced < settings.bounce_share:
+        if touching and bounced < settings.bounce_share:
             angle += (1.0 if sign < 0.5 else -1.0) * bounce_mm / world.plan.grinders[self._name].head_radius_mm
         angle += angle_noise * np.deg2rad(settings.angle_noise_deg) + world.faults.angle_zero_rad.get(self._name, 0.0)
         step = 2.0 * np.pi / 2**settings.angle_bits
