@@ -30,7 +30,7 @@ REJECT_FLOOR_MM = 0.02
 # Beyond 10^0 the surface is bilinear to within 0.2 % of what the data say, and the equations lose digits.
 LOG_PENALTY_RANGE = (-16.0, 0.0)
 # Readings are never better than this; without it, noise-free samples would be followed by every control point.
-LEAST_NOISE_MM = 1e-4
+LEAST_NOISE_MM = 5e-4
 # Least squares with few knots: just enough penalty to keep knots without samples from being singular.
 REGRESSION_LOG_PENALTY = -12.0
 UNPENALISED = 4
@@ -44,6 +44,7 @@ class _Problem:
     design: csr_array
     error_mm: Array
     sigma_mm: float | None
+    penalised: bool
 
     @cached_property
     def scale(self) -> tuple[float, float]:
@@ -84,6 +85,7 @@ class _Problem:
 class _Solution:
     coefficients: Array
     factor: BandedFactor
+    objective: float
     criterion: float
 
 
@@ -103,7 +105,7 @@ def _solve(problem: _Problem, gram: Array, rhs: Array, square: float, count: flo
     else:
         misfit = objective / problem.sigma_mm**2
     criterion = factor.log_determinant() - problem.penalty_log_determinant(weights) + misfit
-    return _Solution(coefficients, factor, float(criterion))
+    return _Solution(coefficients, factor, objective, float(criterion))
 
 
 def _choose(problem: _Problem, weights: Array, start: Array | None) -> tuple[Array, _Solution]:
@@ -165,20 +167,12 @@ def smooth_samples(
     present = np.isfinite(error_mm)
     basis = _basis(u[present], v[present], intervals)
     pu, pv, pe = u[present], v[present], error_mm[present]
-    problem = _Problem(basis, basis.design(pu, pv), pe, sigma_mm)
+    problem = _Problem(basis, basis.design(pu, pv), pe, sigma_mm, intervals is None)
     fixed = _fixed_log_penalty(problem, intervals, penalty)
     used, log, solution = _robust(problem, pu, pv, fixed) if reject else _plain(problem, fixed)
     residuals = pe - problem.design @ solution.coefficients
     hat = np.where(used, basis.quadratic_forms(solution.factor.inverse_band(), pu, pv), 0.0)
-    unknowns = float(hat.sum())
-    count = int(used.sum())
-    if count - unknowns < 1.0 and sigma_mm is None:
-        raise FitError(
-            f"{count} samples are too few for {unknowns:.0f} unknowns: nothing is left to estimate the noise from. "
-            "Use fewer intervals, or state the noise.",
-            Code.NOT_ENOUGH_POINTS,
-        )
-    estimated = float(np.sqrt(np.sum(residuals[used] ** 2) / (count - unknowns))) if sigma_mm is None else sigma_mm
+    estimated = _noise(problem, residuals[used], float(hat.sum()), solution) if sigma_mm is None else sigma_mm
     scale = problem.scale
     return ErrorSurface(
         mode="smooth" if intervals is None else "regression",
@@ -194,10 +188,28 @@ def smooth_samples(
         sigma_mm=estimated,
         sigma_known=sigma_mm is not None,
         penalty=(float(10.0 ** log[0] * scale[0]), float(10.0 ** log[1] * scale[1])),
-        effective_unknowns=unknowns,
+        effective_unknowns=float(hat.sum()),
         reach_steps=reach_steps,
         info=info,
     )
+
+
+def _noise(problem: _Problem, residuals: Array, unknowns: float, solution: _Solution) -> float:
+    """Noise of one sample, from the residuals (K,) of the samples used.
+
+    With a real penalty it is the REML estimate, which fits together with the penalty into one covariance even where
+    the surface follows nearly every sample; a least-squares spline has the usual degrees of freedom.
+    """
+    count = residuals.size
+    if problem.penalised:
+        return float(np.sqrt(solution.objective / (count - UNPENALISED)))
+    if count - unknowns < 1.0:
+        raise FitError(
+            f"{count} samples are too few for {unknowns:.0f} unknowns: nothing is left to estimate the noise from. "
+            "Use fewer intervals, or state the noise.",
+            Code.NOT_ENOUGH_POINTS,
+        )
+    return float(np.sqrt(np.sum(residuals**2) / (count - unknowns)))
 
 
 def _fixed_log_penalty(
@@ -243,9 +255,9 @@ def _acceptable(problem: _Problem, u: Array, v: Array, used: Mask, solution: _So
     """Samples whose distance to the surface fits the noise and the surface's own uncertainty there."""
     residuals = problem.error_mm - problem.design @ solution.coefficients
     hat = problem.basis.quadratic_forms(solution.factor.inverse_band(), u, v)
-    freedom = max(float(used.sum() - hat[used].sum()), 1.0)
-    sigma = float(np.sqrt(np.sum(residuals[used] ** 2) / freedom))
-    if problem.sigma_mm is not None:
+    if problem.sigma_mm is None:
+        sigma = _noise(problem, residuals[used], float(hat[used].sum()), solution)
+    else:
         sigma = max(problem.sigma_mm, mad_sigma(residuals[used], centred=True))
     spread = sigma * np.sqrt(np.where(used, np.maximum(1.0 - hat, 1e-6), 1.0 + hat))
     return np.asarray(np.abs(residuals) <= np.maximum(REJECT_SIGMAS * spread, REJECT_FLOOR_MM))
