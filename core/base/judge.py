@@ -49,7 +49,7 @@ def judge_base(fit: BaseFit, limits: BaseLimits | None = None) -> Verdict:
                 "would show. Add poses with the flange tilted.",
             )
         )
-    worst = _worst(fit)
+    worst = f"observation {fit.worst} (counted from 0)"
     weak = f"Weakest: {fit.conditioning.description}. Add poses that tilt the flange more and about other axes."
     reasons += above(Code.HIGH_RESIDUAL, fit.rms_mm, use.rms_mm, "The RMS residual", f"Look at {worst} first.")
     reasons += _judge_held_out(fit, use, worst)
@@ -71,11 +71,6 @@ def judge_base(fit: BaseFit, limits: BaseLimits | None = None) -> Verdict:
         Code.ILL_CONDITIONED, fit.conditioning.condition, use.condition, "The condition of the fit", weak, "(ratio)"
     )
     return Verdict.of(reasons)
-
-
-def _worst(fit: BaseFit) -> str:
-    errors = np.where(np.isfinite(fit.leave_one_out_mm), fit.leave_one_out_mm, 0.0)
-    return f"observation {int(np.argmax(errors))} (counted from 0)"
 
 
 def _judge_held_out(fit: BaseFit, use: BaseLimits, worst: str) -> list[Reason]:

@@ -47,6 +47,7 @@ class BaseFit:
             the other poses can predict; NaN where they predict none.
         unchecked_directions: (N,) number of directions, 0 to 3, in which the other poses cannot predict that ball: a
             mistake there would not show.
+        worst: Index of the observation without whose pose the others agree best.
         conditioning: of the nine unknowns, rotations scaled by `lever_arm_mm`.
         lever_arm_mm: RMS distance of the ball centres from their centroid.
         observation_covariance_mm2: (N, 3, 3) in B, noise assumed or estimated per residual.
@@ -66,6 +67,7 @@ class BaseFit:
     rms_mm: float
     leave_one_out_mm: Array
     unchecked_directions: NDArray[np.int64]
+    worst: int
     conditioning: Conditioning
     lever_arm_mm: float
     observation_covariance_mm2: Array
@@ -218,6 +220,8 @@ def _report(problem: _Problem, state: _State, sigma: float) -> BaseFit:
     joint = np.asarray(np.linalg.inv(_normal(jacobian, weights, residuals)[0]), dtype=float)
     groups = pose_groups(problem.poses)
     held_out, unpredicted = held_out_residuals(jacobian, weights, joint, residuals, groups)
+    # The weighted squares fall by e.W.r when a pose with residual r and held-out residual e is left out.
+    drop = np.nan_to_num(np.einsum("ni,nij,nj->n", held_out, weights, residuals))
     return BaseFit(
         base_from_measure=state.base_from_measure,
         ball_in_flange_mm=state.ball,
@@ -228,6 +232,7 @@ def _report(problem: _Problem, state: _State, sigma: float) -> BaseFit:
         rms_mm=float(np.sqrt(np.mean(np.sum(residuals**2, axis=1)))),
         leave_one_out_mm=np.linalg.norm(held_out, axis=1),
         unchecked_directions=unpredicted,
+        worst=int(np.argmax(drop)),
         conditioning=_conditioning(problem, state),
         lever_arm_mm=_lever_arm(problem.balls),
         observation_covariance_mm2=covariances,

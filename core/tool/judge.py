@@ -154,17 +154,16 @@ def _judge_wheel_residuals(fit: WheelFit, use: WheelLimits) -> list[Reason]:
     sensor = "Check the angle sensor and that it is read at the moment of the touch."
     limit = float(np.degrees(use.angle_rms_rad))
     reasons += above(Code.HIGH_RESIDUAL, angle_rms, limit, "The RMS of the angle residuals", sensor, "deg")
-    checked = np.flatnonzero(np.isfinite(fit.leave_one_out_mm))
-    if not len(checked):
+    checked = np.isfinite(fit.leave_one_out_mm)
+    if not np.any(checked):
         return reasons
-    distance, turn = fit.leave_one_out_mm[checked], np.degrees(np.abs(fit.leave_one_out_rad[checked]))
-    far, turned = int(checked[np.argmax(distance)]), int(checked[np.argmax(turn)])
+    distance = float(fit.leave_one_out_mm[checked].max())
+    turn = float(np.degrees(np.abs(fit.leave_one_out_rad[checked]).max()))
     held = Code.HELD_OUT_ERROR
-    advice = f"Look at touch {far} (counted from 0) first; repeat it or add touches."
-    reasons += above(held, float(distance.max()), use.leave_one_out_mm, "The largest held-out distance", advice)
-    advice = f"Look at the angle of touch {turned} (counted from 0) first; repeat it or add touches."
+    advice = f"Look at touch {fit.worst} (counted from 0) and its angle first; repeat it or add touches."
+    reasons += above(held, distance, use.leave_one_out_mm, "The largest held-out distance", advice)
     limit = float(np.degrees(use.leave_one_out_rad))
-    return reasons + above(held, float(turn.max()), limit, "The largest held-out angle error", advice, "deg")
+    return reasons + above(held, turn, limit, "The largest held-out angle error", advice, "deg")
 
 
 def _judge_wheel_uncertainty(fit: WheelFit, use: WheelLimits) -> list[Reason]:

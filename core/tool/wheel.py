@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import t as student
 
 from core.conditioning import Conditioning, analyse
 from core.errors import FitError, InputError
@@ -23,12 +24,14 @@ NOMINAL_ANGLE_SIGMA_RAD = 1e-3
 _BEST_SIGMA_MM = 0.01
 # Less certain than this is no axis.
 _HOPELESS_TILT_RAD = 0.05
-_HOPELESS_POSITION_MM = 5.0
+_HOPELESS_POSITION_MM = 20.0
 # Weighted squares per degree of freedom above which a slip of units is looked for, and what explaining it means.
 _SUSPICIOUS = 25.0
 _EXPLAINED = 0.05
 _FIRST_STEPS = 10
 _FINALISTS = 3
+# Chance beyond three sigma on one side of a Gaussian.
+_THREE_SIGMA = 1.35e-3
 
 
 @dataclass(frozen=True)
@@ -46,11 +49,12 @@ class WheelFit:
         radius_mm: Head axis to wheel axis (Rg), given or fitted.
         radius_sigma_mm: Its standard deviation; 0 if given.
         angle_scale: True angle per sensor angle; 1 unless `fit_angle_scale`.
-        angle_scale_sigma: Its standard deviation; 0 if not fitted.
+        angle_scale_sigma: Its standard deviation (as `free_angle_scale_sigma`); 0 if not fitted.
         free_radius_mm: What the data say about the radius when it is free: the check of a given one.
         free_radius_sigma_mm: Its standard deviation; inf if the data say nothing.
         free_angle_scale: What the data say about the sensor's scale when it is free.
-        free_angle_scale_sigma: Its standard deviation; inf if the data say nothing.
+        free_angle_scale_sigma: Its standard deviation; inf if the data say nothing. With estimated noise both of these
+            are stretched by Student's t, so that three of them mean the same with few touches as with many.
         arc_rad: Head angle between the extreme touches.
         residuals_mm: (N, 3) in B: touch minus circle at the fitted head angle.
         angle_residuals_rad: (N,) sensor minus fitted sensor angle.
@@ -58,6 +62,7 @@ class WheelFit:
         leave_one_out_mm: (N,) distance of each touch from the circle of a fit that has not seen it; NaN if fewer than
             three different touches remain.
         leave_one_out_rad: (N,) that touch's place on that circle minus its sensor angle (as true angle); NaN likewise.
+        worst: Index of the touch without which the others agree best.
         conditioning: of rotation, centre and, if free, radius.
         sigma_mm: Noise of a touch per axis, given or estimated.
         angle_sigma_rad: Noise of the sensor, given or estimated.
@@ -87,6 +92,7 @@ class WheelFit:
     rms_mm: float
     leave_one_out_mm: Array
     leave_one_out_rad: Array
+    worst: int
     conditioning: Conditioning
     sigma_mm: float
     angle_sigma_rad: float
@@ -152,7 +158,7 @@ def solve_wheel(
     _check_units(problem, solution, radius_mm)
     if sigma_mm is None:
         problem = _rescaled(problem, solution)
-    fit = _report(problem, solution, shaft_offset_mm)
+    fit = _report(problem, solution, shaft_offset_mm, estimated=sigma_mm is None)
     _refuse_undetermined(fit)
     return fit
 
@@ -220,7 +226,7 @@ def _covariance(problem: Problem, state: Circle) -> Array:
     return np.asarray(covariance[: problem.parameters, : problem.parameters], dtype=float)
 
 
-def _report(problem: Problem, solution: _Solution, shaft_offset_mm: float) -> WheelFit:
+def _report(problem: Problem, solution: _Solution, shaft_offset_mm: float, *, estimated: bool) -> WheelFit:
     state = solution.state
     covariance = _covariance(problem, state)
     x, z = state.rotation[:, 0], state.rotation[:, 2]
@@ -234,9 +240,9 @@ def _report(problem: Problem, solution: _Solution, shaft_offset_mm: float) -> Wh
     across = state.rotation[:, :2]
     tilt = np.linalg.eigvalsh(across.T @ covariance[:3, :3] @ across)[-1]
     residuals = problem.point_residuals(state)
-    held_mm, held_rad = _leave_one_out(problem, state)
-    free_radius, free_radius_sigma = _check_radius(problem, state)
-    free_scale, free_scale_sigma = _check_scale(problem, state)
+    held_mm, held_rad, worst = _leave_one_out(problem, state)
+    free_radius, free_radius_sigma = _check_radius(problem, state, estimated)
+    free_scale, free_scale_sigma = _check_scale(problem, state, estimated)
     return WheelFit(
         base_from_tool=rigid(state.rotation, state.centre_mm + arm),
         covariance=PoseCovariance(jacobian @ covariance @ jacobian.T, state.centre_mm + arm),
@@ -258,6 +264,7 @@ def _report(problem: Problem, solution: _Solution, shaft_offset_mm: float) -> Wh
         rms_mm=float(np.sqrt(np.mean(np.sum(residuals**2, axis=1)))),
         leave_one_out_mm=held_mm,
         leave_one_out_rad=held_rad,
+        worst=worst,
         conditioning=_conditioning(problem, state, covariance),
         sigma_mm=problem.sigma_mm,
         angle_sigma_rad=problem.angle_sigma_rad,
@@ -284,48 +291,62 @@ def _conditioning(problem: Problem, state: Circle, covariance: Array) -> Conditi
     return analyse(information, scales, names)
 
 
-def _leave_one_out(problem: Problem, state: Circle) -> tuple[Array, Array]:
+def _leave_one_out(problem: Problem, state: Circle) -> tuple[Array, Array, int]:
     n = len(problem.angle_rad)
     distance, turn = np.full(n, np.nan), np.full(n, np.nan)
+    whites = problem.white_residuals(state)
+    share = np.sum(whites[: 3 * n].reshape(n, 3) ** 2, axis=1) + whites[3 * n :] ** 2
+    # The squares that a touch accounts for; its own residual is the least of it.
+    drop = share.copy()
     for i in range(n):
         keep = np.arange(n) != i
         if different_touches(problem.points_mm[keep]) < MIN_TOUCHES:
             continue
         rest = replace(problem, angle_rad=problem.angle_rad[keep], points_mm=problem.points_mm[keep])
-        other, _, _, settled = minimise(rest, replace(state, phi_rad=state.phi_rad[keep]))
+        other, cost, _, settled = minimise(rest, replace(state, phi_rad=state.phi_rad[keep]))
         if not settled:
             continue
+        drop[i] = share.sum() - cost
         x, y, z = other.rotation.T @ (problem.points_mm[i] - other.centre_mm)
         distance[i] = np.hypot(np.hypot(x, y) - other.radius_mm, z)
         turn[i] = _wrapped(np.arctan2(y, x) - problem.angle_rad[i] / other.inverse_scale)
-    return distance, turn
+    return distance, turn, int(np.argmax(drop))
 
 
 def _wrapped(angle: float) -> float:
     return float((angle + np.pi) % (2.0 * np.pi) - np.pi)
 
 
-def _free_check(problem: Problem, state: Circle) -> tuple[Circle, Array] | None:
-    """State and covariance of the same fit with more set free, started from the fit at hand."""
-    freed, _, _, settled = minimise(problem, state)
+def _free_check(problem: Problem, state: Circle, estimated: bool) -> tuple[Circle, Array] | None:
+    """State and standard deviations of the same fit with more set free, started from the fit at hand.
+
+    If the noise was estimated, it is estimated again from these residuals: a wrong radius or scale has swollen it.
+    Three standard deviations then stand for the same chance as with many touches (Student's t).
+    """
+    freed, cost, _, settled = minimise(problem, state)
     if not settled or freed.radius_mm <= 0.0 or freed.inverse_scale <= 0.0:
         return None
-    return freed, _covariance(problem, freed)
+    sigmas = np.sqrt(np.diag(_covariance(problem, freed)))
+    if estimated:
+        freedom = problem.degrees_of_freedom
+        scale = max(float(np.sqrt(cost / freedom)), _BEST_SIGMA_MM / problem.sigma_mm)
+        sigmas = sigmas * scale * float(student.isf(_THREE_SIGMA, freedom)) / 3.0
+    return freed, sigmas
 
 
-def _check_radius(problem: Problem, state: Circle) -> tuple[float, float]:
-    checked = _free_check(replace(problem, free_radius=True), state)
+def _check_radius(problem: Problem, state: Circle, estimated: bool) -> tuple[float, float]:
+    checked = _free_check(replace(problem, free_radius=True), state, estimated)
     if checked is None:
         return state.radius_mm, float("inf")
-    return checked[0].radius_mm, float(np.sqrt(checked[1][6, 6]))
+    return checked[0].radius_mm, float(checked[1][6])
 
 
-def _check_scale(problem: Problem, state: Circle) -> tuple[float, float]:
-    checked = _free_check(replace(problem, free_scale=True), state)
+def _check_scale(problem: Problem, state: Circle, estimated: bool) -> tuple[float, float]:
+    checked = _free_check(replace(problem, free_scale=True), state, estimated)
     if checked is None:
         return 1.0 / state.inverse_scale, float("inf")
     inverse_scale = checked[0].inverse_scale
-    return 1.0 / inverse_scale, float(np.sqrt(checked[1][-1, -1])) / inverse_scale**2
+    return 1.0 / inverse_scale, float(checked[1][-1]) / inverse_scale**2
 
 
 def _refuse_undetermined(fit: WheelFit) -> None:
