@@ -24,7 +24,8 @@ KEYS = (
     "cad", "airfoil", "error_surface", "base_from_tool", "flange_from_work", *CHAIN, "wheel_radius_mm", "contact_side",
     "span_along_shaft", "pattern", "count", "spacing_mm", "positions", "u_range", "v_range", "step_mm",
     "chord_tolerance_mm", "serpentine", "clip", "approach_mm", "speed_mm_s", "travel_mm_s", "acceleration_mm_s2",
-    "blend_mm", "program", "blade_type", "date", "workspace_least_mm", "workspace_greatest_mm", "max_reach_mm",
+    "blend_mm", "max_turn_deg_s", "program", "blade_type", "date", "workspace_least_mm", "workspace_greatest_mm",
+    "max_reach_mm",
 )  # fmt: skip
 
 
@@ -233,6 +234,7 @@ def _program(read: _Reader) -> ProgramSettings:
         travel_mm_s=read.number("travel_mm_s", standard.travel_mm_s),
         acceleration_mm_s2=read.number("acceleration_mm_s2", standard.acceleration_mm_s2),
         blend_mm=read.number("blend_mm", standard.blend_mm),
+        max_turn_rad_s=float(np.radians(read.number("max_turn_deg_s", float(np.degrees(standard.max_turn_rad_s))))),
         date=read.text("date", ""),
         blade_type=read.text("blade_type", ""),
     )

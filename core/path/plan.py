@@ -3,7 +3,7 @@
 Compensation moves the contact along the design normal by the measured error and keeps the design orientation:
 `R' = R + e n`. The error is the head's displacement along that normal in that orientation, so the wheel's centre then
 sits where the head found it, and the head stands at its zero angle. Turning the blade to the normal of `R + e n`
-spoils this (measured: docs/decisions/0004-compensation-keeps-orientation.md).
+spoils this (measured: docs/decisions/0006-compensation-keeps-orientation.md).
 """
 
 from __future__ import annotations

@@ -17,6 +17,7 @@ from core.path.plan import PathPlan
 from core.verdict import Code
 
 MOST_SPEED_MM_S = 250.0
+LEAST_SPEED_MM_S = 0.1
 METRES = 1e-3
 # Neighbouring blends must not overlap: the controller stops the program where they do.
 BLEND_SHARE = 0.45
@@ -33,11 +34,12 @@ class ProgramSettings:
     """How the program moves.
 
     Attributes:
-        speed_mm_s: Feed of the contact along the blade; the flange's speed follows from it move by move and is held
-            at 250 mm/s where the blade turns about its edge.
+        speed_mm_s: Feed of the contact along the blade; the flange's speed follows from it move by move, up to the two
+            limits that matter where the blade turns about its edge: 250 mm/s and `max_turn_rad_s`.
         travel_mm_s: Speed of the flange to the approach of a stroke.
         acceleration_mm_s2: Acceleration of every move.
         blend_mm: Blend radius inside a stroke, shortened where points are close.
+        max_turn_rad_s: Greatest turning speed of the flange.
         name: Name of the program's function.
         date: Text for the header, e.g. "2031-02-03"; nothing here reads a clock.
         blade_type: Text for the header.
@@ -47,6 +49,7 @@ class ProgramSettings:
     travel_mm_s: float = 200.0
     acceleration_mm_s2: float = 500.0
     blend_mm: float = 0.5
+    max_turn_rad_s: float = 1.0
     name: str = "belt_path"
     date: str = ""
     blade_type: str = ""
@@ -60,18 +63,20 @@ def write_urscript(plan: PathPlan, settings: ProgramSettings) -> str:
     """
     _check(settings)
     feeds = [_flange_speeds(stroke.base_from_flange, stroke.work_from_contact, settings) for stroke in plan.strokes]
-    held = sum(int(np.sum(feed >= MOST_SPEED_MM_S)) for feed in feeds)
+    held = sum(slowed for _, slowed in feeds)
     lines = [
         f"# Belt grinding path, blade type {_comment(settings.blade_type) or 'not stated'}",
         f"# Date: {_comment(settings.date) or 'not stated'}",
         "# Poses of the flange in the robot base: metres and rotation vectors in rad; speeds in m/s, a in m/s^2",
         f"# {len(plan.strokes)} strokes, {plan.points} contact points, "
         + ("normal errors compensated" if plan.compensated else "design path, not compensated"),
-        f"# Feed {settings.speed_mm_s:g} mm/s on the blade; {held} moves held at {MOST_SPEED_MM_S:g} mm/s of flange",
+        f"# Feed {settings.speed_mm_s:g} mm/s on the blade; {held} moves are slower, so that the flange stays within "
+        f"{MOST_SPEED_MM_S:g} mm/s and {settings.max_turn_rad_s:g} rad/s",
+        "# The first move runs straight from where the robot stands to the first approach: clear that way beforehand",
         f"def {settings.name}():",
         "  set_tcp(p[0, 0, 0, 0, 0, 0])",
     ]
-    for number, (stroke, feed) in enumerate(zip(plan.strokes, feeds, strict=True), start=1):
+    for number, (stroke, (feed, _)) in enumerate(zip(plan.strokes, feeds, strict=True), start=1):
         blends = _blends(stroke.base_from_flange, settings.blend_mm)
         ends = f"u {stroke.u[0]:.6f} to {stroke.u[-1]:.6f}, v {stroke.v[0]:.6f} to {stroke.v[-1]:.6f}"
         lines.append(f"  # stroke {number}: {ends}")
@@ -93,6 +98,9 @@ def _check(settings: ProgramSettings) -> None:
             )
     if not np.isfinite(settings.acceleration_mm_s2) or not 0.0 < settings.acceleration_mm_s2 <= 5000.0:
         raise InputError(f"acceleration_mm_s2: expected above 0 and up to 5000, found {settings.acceleration_mm_s2:g}.")
+    if not np.isfinite(settings.max_turn_rad_s) or not 0.0 < settings.max_turn_rad_s <= np.pi:
+        found = np.degrees(settings.max_turn_rad_s)
+        raise InputError(f"max_turn_deg_s: expected above 0 and up to 180 degrees per second, found {found:g}.")
     if not np.isfinite(settings.blend_mm) or settings.blend_mm < 0.0:
         raise InputError(f"blend_mm: expected a radius of 0 mm or more, found {settings.blend_mm:g}.")
     if not _PLAIN_NAME.fullmatch(settings.name):
@@ -103,16 +111,22 @@ def _comment(text: str) -> str:
     return " ".join(text.split())
 
 
-def _flange_speeds(base_from_flange: Array, work_from_contact: Array, settings: ProgramSettings) -> Array:
-    """Speed of the flange for each move to a contact so that the contact keeps the feed, at most 250 mm/s.
+def _flange_speeds(
+    base_from_flange: Array, work_from_contact: Array, settings: ProgramSettings
+) -> tuple[Array, int]:
+    """Speed of the flange for each move to a contact so that the contact keeps the feed, and how many had to be slower.
 
     The first contact is approached along the normal at the feed itself.
     """
     flange = np.linalg.norm(np.diff(base_from_flange[:, :3, 3], axis=0), axis=1)
     contact = np.linalg.norm(np.diff(work_from_contact[:, :3, 3], axis=0), axis=1)
-    speed = settings.speed_mm_s * flange / np.maximum(contact, 1e-9)
-    # A move that only turns the flange still needs a speed the controller accepts.
-    return np.concatenate([[settings.speed_mm_s], np.clip(speed, 1.0, MOST_SPEED_MM_S)])
+    rotation = base_from_flange[:, :3, :3]
+    turn = np.linalg.norm(rotvec_from_rotation(np.swapaxes(rotation[:-1], 1, 2) @ rotation[1:]), axis=1)
+    wanted = settings.speed_mm_s * flange / np.maximum(contact, 1e-9)
+    limit = np.minimum(MOST_SPEED_MM_S, settings.max_turn_rad_s * flange / np.maximum(turn, 1e-12))
+    # A move that only turns the flange still needs a speed that the controller accepts.
+    speed = np.maximum(np.minimum(wanted, limit), LEAST_SPEED_MM_S)
+    return np.concatenate([[settings.speed_mm_s], speed]), int(np.sum(wanted > limit))
 
 
 def _blends(base_from_flange: Array, blend_mm: float) -> Array:

@@ -116,7 +116,15 @@ def test_flange_speed_follows_the_feed_and_is_held():
     flat = speeds(write_urscript(plan(), ProgramSettings(speed_mm_s=30.0)))
     np.testing.assert_allclose(flat[1:11], 0.03, atol=1e-5)
     sharp = speeds(write_urscript(plan_path(Nose(), far, PATTERN), ProgramSettings(speed_mm_s=30.0)))
-    assert sharp.max() == 0.25
+    assert sharp.max() <= 0.25
+    unhurried = speeds(write_urscript(plan_path(Nose(), far, PATTERN), ProgramSettings(max_turn_rad_s=np.pi)))
+    stroke = plan_path(Nose(), far, PATTERN).strokes[0]
+    moves, relative = stroke.base_from_flange, Rotation.from_matrix(stroke.base_from_flange[:, :3, :3])
+    seconds = np.linalg.norm(np.diff(moves[:, :3, 3], axis=0), axis=1) / 1000.0 / sharp[2 : len(moves) + 1]
+    assert np.all((relative[:-1].inv() * relative[1:]).magnitude() / seconds < 1.01)
+    assert np.all(unhurried >= sharp) and unhurried.max() <= 0.25
+    slow = write_urscript(plan_path(Nose(), far, PATTERN), ProgramSettings(speed_mm_s=30.0))
+    assert "moves are slower" in slow and " 0 moves are slower" not in slow
 
 
 def test_blends_never_overlap():
@@ -136,6 +144,7 @@ def test_blends_never_overlap():
         ({"speed_mm_s": 0.0}, "speed_mm_s"),
         ({"acceleration_mm_s2": -1.0}, "acceleration"),
         ({"blend_mm": -1.0}, "blend_mm"),
+        ({"max_turn_rad_s": 30.0}, "max_turn"),
         ({"name": "a b"}, "name"),
     ],
 )
