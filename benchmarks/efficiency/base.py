@@ -38,8 +38,10 @@ def bound(about: Array, turns: Array, shifts: Array, covariances: Array) -> Arra
 
 
 def trial(rng: np.random.Generator, n: int, tilt_rad: float) -> Trial:
-    turns = Rotation.from_rotvec(rng.uniform(-tilt_rad, tilt_rad, (n, 3))).as_matrix()
-    balls = rng.uniform(-100.0, 100.0, (n, 3))
+    # The same poses in every run: a random set of four may determine nothing, and is then refused.
+    geometry = np.random.default_rng(n)
+    turns = Rotation.from_rotvec(geometry.uniform(-tilt_rad, tilt_rad, (n, 3))).as_matrix()
+    balls = geometry.uniform(-100.0, 100.0, (n, 3))
     in_base = MEASURE_ROTATION.apply(balls) + MEASURE_ORIGIN_MM
     shifts = in_base - turns @ BALL_IN_FLANGE_MM
     # A cap seen from one side: the centre is worst along the viewing axis.
