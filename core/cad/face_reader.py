@@ -8,6 +8,7 @@ import numpy as np
 
 from core.cad.kernel import area_of, is_reversed
 from core.cad.model import CadFace, FaceType, Parameter
+from core.cad.recognise import recognise
 from core.cad.surfaces import Array, Cylinder, Plane, Surface
 from core.cad.trims import CHORD_ERROR_MM, TrimError, cylinder_trim, plane_trim, recentred
 
@@ -38,18 +39,29 @@ def read_face(face: Any, number: int, name: str | None, flip: int) -> CadFace:
     kind = face_type(adaptor)
     outward = flip * (-1 if is_reversed(face) else 1)
     area = area_of(face)
-    if kind not in ("plane", "cylinder"):
+    surface = _surface(adaptor, kind, outward)
+    if surface is None:
         return CadFace(number, name, kind, area, _other_parameters(adaptor, kind), None, None, False, WHY_NOT[kind])
-    surface = _plane(adaptor, outward) if kind == "plane" else _cylinder(adaptor, outward)
+    extra: dict[str, Parameter] = {} if kind in ("plane", "cylinder") else {"stored_as": kind}
+    kind = "plane" if isinstance(surface, Plane) else "cylinder"
     try:
         trim = plane_trim(face, surface) if isinstance(surface, Plane) else cylinder_trim(face, surface)
         if abs(trim.area - area) > AREA_TOLERANCE * area + CHORD_ERROR_MM * trim.length:
             raise TrimError(f"its boundary encloses {trim.area:.4g} mm², but its area is {area:.4g} mm²")
     except TrimError as error:
         why_not = f"The boundary of this face can't be used: {error}."
-        return CadFace(number, name, kind, area, _parameters(surface), surface, None, False, why_not)
+        return CadFace(number, name, kind, area, _parameters(surface) | extra, surface, None, False, why_not)
     surface, trim = recentred(surface, trim)
-    return CadFace(number, name, kind, area, _parameters(surface), surface, trim, True, None)
+    return CadFace(number, name, kind, area, _parameters(surface) | extra, surface, trim, True, None)
+
+
+def _surface(adaptor: Any, kind: FaceType, outward: int) -> Surface | None:
+    """Plane or cylinder of a face, also one that is stored as another kind."""
+    if kind == "plane":
+        return _plane(adaptor, outward)
+    if kind == "cylinder":
+        return _cylinder(adaptor, outward)
+    return recognise(adaptor, outward) if kind in ("bspline", "other") else None
 
 
 def face_type(adaptor: Any) -> FaceType:
@@ -76,7 +88,7 @@ def _plane(adaptor: Any, outward: int) -> Plane:
 
 
 def _cylinder(adaptor: Any, outward: int) -> Cylinder:
-    """Cylinder whose angle is measured as the kernel does it; a left-handed placement turns the outward side."""
+    """Cylinder; a left-handed placement turns the outward side."""
     cylinder = adaptor.Cylinder()
     position = cylinder.Position()
     side = outward if position.Direct() else -outward

@@ -29,7 +29,8 @@ class CadFace:
     Attributes:
         id: Place in the file's own order of faces, from 1.
         name: Name of the STEP entity, None where it has none.
-        type: Kind of surface.
+        type: Kind of surface; a free-form face that is a plane or cylinder within 0.001 mm counts as one, and
+            `parameters["stored_as"]` says how the file has it.
         area_mm2: True area within the trim.
         parameters: Numbers that describe the surface, unit in the key (`radius_mm`, `half_angle_rad`).
         surface: The analytic surface; None for other kinds than plane and cylinder.

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 # Two faces lie on the same surface when each boundary is this near to the other's surface and the normals agree.
 SAME_SURFACE_MM = 0.002
 SAME_NORMAL_RAD = 1e-3
+SAME_RADIUS = 0.01
 # Faces whose regions are nearer than this are neighbours; twice the chord error, for arcs may be cut differently.
 TOUCHING_MM = 0.005
 
@@ -99,7 +100,7 @@ def _joined(first: Patch, second: Patch) -> Patch | None:
     """Both as one patch on the first one's surface, None where they are not one."""
     import shapely
 
-    if type(first.surface) is not type(second.surface) or not (_lies_on(second, first) and _lies_on(first, second)):
+    if not (_may_be_one(first.surface, second.surface) and _lies_on(second, first) and _lies_on(first, second)):
         return None
     moved = _in_coordinates_of(first.surface, second)
     surface: Surface = first.surface
@@ -117,6 +118,15 @@ def _joined(first: Patch, second: Patch) -> Patch | None:
     order = sorted([first, second], key=lambda patch: patch.face_ids[0])
     return Patch(surface, tuple(sorted(first.face_ids + second.face_ids)),
                  " + ".join(patch.label for patch in order), trim)
+
+
+def _may_be_one(first: Surface, second: Surface) -> bool:
+    """A quick look before every boundary point is compared."""
+    if isinstance(first, Plane) and isinstance(second, Plane):
+        return float(np.linalg.norm(first.normal - second.normal)) < SAME_NORMAL_RAD
+    if isinstance(first, Cylinder) and isinstance(second, Cylinder):
+        return first.outward == second.outward and abs(first.radius_mm / second.radius_mm - 1.0) < SAME_RADIUS
+    return False
 
 
 def _lies_on(patch: Patch, other: Patch) -> bool:

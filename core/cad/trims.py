@@ -36,7 +36,7 @@ def plane_trim(face: Any, plane: Plane) -> Polygon | MultiPolygon:
     """
     loops = []
     for wire in _wires(face):
-        pieces = [np.column_stack(plane.to_surface(points)[:2]) for _, _, points in _edges(wire, face)]
+        pieces = [np.column_stack(plane.to_surface(points)[:2]) for points in _edges(wire, face)]
         loops.append(_closed(pieces, period=None))
     return _region(loops, period=None)
 
@@ -44,27 +44,18 @@ def plane_trim(face: Any, plane: Plane) -> Polygon | MultiPolygon:
 def cylinder_trim(face: Any, cylinder: Cylinder) -> Polygon | MultiPolygon:
     """Region of a cylindrical kernel face in (s, t), unwrapped without a jump; s may lie outside (-pi, pi] radius.
 
-    The kernel's parameter curves are used, not the points in space: on a full cylinder the seam is walked twice, and
-    only they tell its two sides apart.
+    The loop is followed in space; on a full cylinder it walks the seam twice, a turn apart.
 
     Raises:
         TrimError: the loops don't close, go around the axis without a seam, or enclose nothing.
     """
-    from OCP.BRep import BRep_Tool
-
     period = 2.0 * np.pi * cylinder.radius_mm
-    # Of a left-handed placement the kernel's angle runs against ours.
-    hand = 1.0 if _is_direct(face) else -1.0
     loops = []
     for wire in _wires(face):
         pieces = []
-        for edge, parameters, _ in _edges(wire, face):
-            first_last = BRep_Tool.Range_s(edge, face)
-            curve = BRep_Tool.CurveOnSurface_s(edge, face, *first_last)
-            if curve is None:
-                raise TrimError("an edge has no curve on the surface")
-            uv = np.array([(point.X(), point.Y()) for point in (curve.Value(value) for value in parameters)])
-            pieces.append(uv * [hand * cylinder.radius_mm, 1.0])
+        for points in _edges(wire, face):
+            s, t, _ = cylinder.to_surface(points)
+            pieces.append(np.column_stack([np.unwrap(s, period=period), t]))
         loops.append(_closed(pieces, period))
     return _region(loops, period)
 
@@ -83,14 +74,8 @@ def recentred(surface: SurfaceT, trim: Polygon | MultiPolygon) -> tuple[SurfaceT
     return replace(surface, origin=surface.origin + t * surface.axis, x_axis=x_axis), moved
 
 
-def _is_direct(face: Any) -> bool:
-    from OCP.BRepAdaptor import BRepAdaptor_Surface
-
-    return bool(BRepAdaptor_Surface(face).Cylinder().Position().Direct())
-
-
 def _wires(face: Any) -> list[Any]:
-    """Loops of a face, seen on its surface's own side, so that seam edges find the right curve."""
+    """Loops of a face, seen on its surface's own side."""
     from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer
     from OCP.TopoDS import TopoDS
@@ -105,8 +90,8 @@ def _wires(face: Any) -> list[Any]:
     return wires
 
 
-def _edges(wire: Any, face: Any) -> list[tuple[Any, Array, Array]]:
-    """Edges of a loop in walking order: (edge, parameters (N,), points (N, 3)), both in walking direction."""
+def _edges(wire: Any, face: Any) -> list[Array]:
+    """Points (N, 3) of the edges of a loop, edges and points in walking order."""
     from OCP.BRep import BRep_Tool
     from OCP.BRepAdaptor import BRepAdaptor_Curve
     from OCP.BRepTools import BRepTools_WireExplorer
@@ -120,12 +105,10 @@ def _edges(wire: Any, face: Any) -> list[tuple[Any, Array, Array]]:
         edge = explorer.Current()
         if not BRep_Tool.Degenerated_s(edge):
             sampler = GCPnts_TangentialDeflection(BRepAdaptor_Curve(edge), CHORD_TURN_RAD, CHORD_ERROR_MM)
-            count = sampler.NbPoints()
-            parameters = np.array([sampler.Parameter(i) for i in range(1, count + 1)])
-            places = [sampler.Value(i) for i in range(1, count + 1)]
+            places = [sampler.Value(i) for i in range(1, sampler.NbPoints() + 1)]
             points = np.array([(place.X(), place.Y(), place.Z()) for place in places])
             backward = edge.Orientation() == TopAbs_Orientation.TopAbs_REVERSED
-            found.append((edge, parameters[::-1], points[::-1]) if backward else (edge, parameters, points))
+            found.append(points[::-1] if backward else points)
         explorer.Next()
     return found
 

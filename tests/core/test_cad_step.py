@@ -107,6 +107,24 @@ def test_other_kinds_are_listed_with_the_reason_why_not(tmp_path):
         assert not kinds[kind].usable and kind in kinds[kind].why_not and kinds[kind].surface is None
 
 
+def test_planes_and_cylinders_stored_as_splines_are_recognised(tmp_path):
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
+
+    part = shapes.cut(shapes.box((60.0, 60.0, 20.0)), shapes.cylinder(12.5, 20.0, at=(30.0, 30.0, 0.0)))
+    exact = read_step(shapes.write(shapes.moved(part, PLACE), tmp_path / "exact.step"))
+    splines = BRepBuilderAPI_NurbsConvert(part, True).Shape()
+    path = shapes.write(shapes.moved(splines, PLACE), tmp_path / "splines.step")
+    assert " CYLINDRICAL_SURFACE(" not in path.read_text() and " PLANE(" not in path.read_text()
+    model = read_step(path)
+    for face, twin in zip(model.faces, exact.faces, strict=True):
+        assert face.parameters["stored_as"] == "bspline" and face.type == twin.type and face.usable, face.why_not
+        probe = PLACE[:3, 3] + np.array([[3.0, 4.0, 5.0], [20.0, -7.0, 9.0]])
+        np.testing.assert_allclose(face.surface.to_surface(probe)[2], twin.surface.to_surface(probe)[2], atol=1e-6)
+        assert face.trim.area == pytest.approx(twin.trim.area, rel=1e-4)
+        if face.type == "cylinder":
+            assert face.surface.radius_mm == pytest.approx(12.5, abs=1e-7) and face.surface.outward == -1
+
+
 def test_an_inside_out_solid_still_points_outward(tmp_path):
     model = read_step(shapes.write(shapes.box().Reversed(), tmp_path / "reversed.step"))
     for face in model.faces:
