@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from beltgui.steps.blocks import conditioning_block, plain, pose_block, verdict_block
+from core.fine import FineFit
 from core.rough import PairsFit
+from core.rough.automatic import GlobalFit
 from core.verdict import Verdict
 
 
@@ -24,4 +26,21 @@ def record(fit: PairsFit, verdict: Verdict) -> dict[str, Any]:
         "worst_is_clear": bool(fit.worst_is_clear),
         **conditioning_block(fit.conditioning),
         "remarks": list(fit.remarks),
+    }
+
+
+def automatic_record(fit: GlobalFit[FineFit], verdict: Verdict) -> dict[str, Any]:
+    """Pose of the blade found without picks, confirmed by its faces; `residuals_mm` is the mean of each face."""
+    used = [face for face in fit.fine.faces if face.used]
+    return {
+        "verdict": verdict_block(verdict),
+        "measure_from_work": pose_block(fit.measure_from_work, fit.fine.covariance),
+        "residuals_mm": [plain(face.mean_mm) for face in used],
+        "faces": [{"id": face.id, "name": face.name, "points": face.points, "rms_mm": plain(face.rms_mm)}
+                  for face in used],
+        "rms_mm": plain(fit.fine.rms_mm),
+        "sigma_mm": plain(fit.fine.sigma_mm),
+        "share_explained": plain(fit.score),
+        "candidates": len(fit.candidates),
+        **conditioning_block(fit.fine.conditioning),
     }

@@ -1,0 +1,142 @@
+"""Error surface: from probed head angles to the normal error over the airfoil, the compensated path and its program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from beltgui.steps.blocks import plain, verdict_block
+from beltgui.steps.error_surface.probing import Presenting, Probe, ProbeSamples
+from beltgui.steps.error_surface.record import record as surface_record
+from beltgui.steps.held_out import HeldOut
+from core.cad.blade_type import ProbingGrid
+from core.error_surface import (
+    ErrorSurface,
+    ErrorSurfaceLimits,
+    fit_error_surface,
+    judge_error_surface,
+    normal_error,
+)
+from core.path import (
+    PathPlan,
+    PatternSettings,
+    ProgramProof,
+    ProgramSettings,
+    plan_path,
+    verify_program,
+    write_urscript,
+)
+from core.verdict import Verdict
+
+HELD_OUT_LIMIT_MM = 0.04
+TRANSVERSE_LINES = 6
+LONGITUDINAL_LINES = 9
+
+
+@dataclass(frozen=True, eq=False)
+class ErrorSurfaceOutcome:
+    """What the step found.
+
+    Attributes:
+        surface: Normal error over (u, v).
+        held_out: Errors at points between the grid's nodes that the fit has not seen.
+        verdict: Of all of it.
+    """
+
+    surface: ErrorSurface
+    held_out: HeldOut
+    verdict: Verdict
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """A robot program with its plan and the proof that the text says what was planned."""
+
+    name: str
+    plan: PathPlan
+    text: str
+    proof: ProgramProof
+
+
+def solve(
+    samples: ProbeSamples,
+    radius_mm: float,
+    normal_in_tool: np.ndarray,
+    info: dict[str, str],
+    clamping: Verdict,
+) -> ErrorSurfaceOutcome:
+    """Fit the surface to the grid and check it between the nodes.
+
+    Args:
+        samples: Probed angles; NaN where none came.
+        radius_mm: Rg of the grinder.
+        normal_in_tool: (3,) airfoil's outward normal at the contact, in {H}.
+        info: Blade type, grinder and the like, kept with the surface.
+        clamping: Verdict of the registration that the probing stands on.
+
+    Raises:
+        InputError: too few samples, or they determine no surface.
+    """
+    surface = fit_error_surface(
+        samples.grid.u, samples.grid.v, _errors(samples.grid, radius_mm, normal_in_tool), mode="smooth", info=info
+    )
+    check = _errors(samples.check, radius_mm, normal_in_tool)
+    predicted = surface.evaluate(samples.check.u, samples.check.v)
+    known = np.isfinite(check) & np.isfinite(predicted)
+    held_out = HeldOut("normal error between the samples", np.abs(check - predicted)[known], HELD_OUT_LIMIT_MM)
+    reasons = [
+        *clamping.reasons,
+        *judge_error_surface(surface, ErrorSurfaceLimits()).reasons,
+        *held_out.reasons("Probe a finer grid, and see that the head moves freely."),
+    ]
+    return ErrorSurfaceOutcome(surface, held_out, Verdict.of(reasons))
+
+
+def _errors(probe: Probe, radius_mm: float, normal_in_tool: np.ndarray) -> np.ndarray:
+    errors = np.full(len(probe.u), np.nan)
+    read = np.isfinite(probe.angle_rad)
+    errors[read] = normal_error(probe.angle_rad[read], normal_in_tool, radius_mm)
+    return errors
+
+
+def patterns(grid: ProbingGrid) -> dict[str, PatternSettings]:
+    """The usual two: along the profile at six heights of the grid, and along the span."""
+    rows = np.linspace(0, grid.v_count - 1, TRANSVERSE_LINES).round().astype(int)
+    u_range, v_range = (grid.u_min, grid.u_max), (grid.v_min, grid.v_max)
+    heights = tuple(float(v) for v in grid.v()[rows])
+    return {
+        "transverse": PatternSettings("transverse", u_range, v_range, positions=heights),
+        "longitudinal": PatternSettings("longitudinal", u_range, v_range, count=LONGITUDINAL_LINES),
+    }
+
+
+def write_program(
+    name: str, presenting: Presenting, surface: ErrorSurface, pattern: PatternSettings, *, blade_type: str, date: str
+) -> Program:
+    """Plan a compensated path, write it as URScript and read it back.
+
+    Args:
+        name: Name of the program.
+        presenting: The calibrated chain to the wheel.
+        surface: What to compensate; points outside its measured patch are left out.
+        pattern: Which lines.
+        blade_type: For the program's header.
+        date: For the program's header.
+
+    Raises:
+        InputError: the path was measured nowhere, or the text read back does not say what was planned.
+    """
+    plan = plan_path(presenting.airfoil, presenting.frames, pattern, error_surface=surface, clip=True)
+    text = write_urscript(plan, ProgramSettings(name=name, blade_type=blade_type, date=date))
+    return Program(name, plan, text, verify_program(plan, text))
+
+
+def record(outcome: ErrorSurfaceOutcome) -> dict[str, Any]:
+    """For the session and the report."""
+    return {
+        **surface_record(outcome.surface, outcome.verdict),
+        "held_out": plain(outcome.held_out.block()),
+        "verdict": verdict_block(outcome.verdict),
+    }

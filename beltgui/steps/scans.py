@@ -1,0 +1,89 @@
+"""Scans as samples: taken with robot and stage standing still, kept at once, read back for solving."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beltgui.session import Sample, Session
+from beltgui.steps.context import Context
+from devices.cell_plan import ScanPose
+from devices.interfaces import StagePosition
+
+Array = NDArray[np.float64]
+KIND = "scan"
+
+
+@dataclass(frozen=True, eq=False)
+class ScanSample:
+    """One scan and where everything stood.
+
+    Attributes:
+        name: What is seen.
+        base_from_flange: (4, 4) as the robot reported it.
+        stage: As the stage reported it.
+        points_in_scanner: (N, 3) mm.
+    """
+
+    name: str
+    base_from_flange: Array
+    stage: StagePosition
+    points_in_scanner: Array
+
+    @property
+    def stage_mm(self) -> Array:
+        """(3,) linear axes."""
+        return np.array([self.stage.x_mm, self.stage.y_mm, self.stage.z_mm])
+
+
+def acquire_scans(context: Context, step: str, poses: Sequence[ScanPose]) -> list[ScanSample]:
+    """Visit the poses and scan at each; the robot moves only where the pose differs from the one before.
+
+    Raises:
+        DeviceError: a device failed or refused; what was taken before stays in the session.
+        Cancelled: the job was cancelled.
+    """
+    if not context.cell.stage.homed:
+        context.cell.stage.home()
+    samples: list[ScanSample] = []
+    previous: Array | None = None
+    for number, pose in enumerate(poses):
+        context.job.report(number / len(poses), f"scan {number + 1} of {len(poses)}: {pose.name}")
+        if previous is None or not np.array_equal(previous, pose.base_from_flange):
+            context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
+            previous = pose.base_from_flange
+        samples.append(_take(context, step, pose))
+    return samples
+
+
+def _take(context: Context, step: str, pose: ScanPose) -> ScanSample:
+    stage = context.cell.stage.move_to(pose.stage)
+    scan = context.cell.scanner.capture()
+    reading = context.cell.robot.read()
+    data = {
+        "name": pose.name,
+        "base_from_flange": reading.base_from_flange.tolist(),
+        "stage_mm": [stage.x_mm, stage.y_mm, stage.z_mm],
+        "stage_rad": stage.theta_rad,
+        "time_s": scan.time_s,
+    }
+    sample = context.session.add_sample(step, KIND, data, scan.points_mm)
+    return _from_sample(context.session, sample)
+
+
+def read_scans(session: Session, step: str) -> list[ScanSample]:
+    """The scans of a step as they were kept."""
+    return [_from_sample(session, sample) for sample in session.samples(step, KIND)]
+
+
+def _from_sample(session: Session, sample: Sample) -> ScanSample:
+    x, y, z = sample.data["stage_mm"]
+    return ScanSample(
+        sample.data["name"],
+        np.array(sample.data["base_from_flange"]),
+        StagePosition(x, y, z, sample.data["stage_rad"]),
+        session.points(sample),
+    )
