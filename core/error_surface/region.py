@@ -12,6 +12,8 @@ from scipy.spatial import Delaunay
 Array = NDArray[np.float64]
 LINE_TOLERANCE = 1e-6
 EDGE_TOLERANCE = 1e-6
+# Samples that share a coordinate make a scan line if there are this many of them on average.
+SAMPLES_ON_LINE = 4
 
 
 def grid_lines(x: Array) -> tuple[Array, NDArray[np.int64]]:
@@ -28,6 +30,25 @@ def grid_lines(x: Array) -> tuple[Array, NDArray[np.int64]]:
 def is_grid(u: Array, v: Array) -> bool:
     """True if the samples lie on grid lines of which at least half of the nodes are occupied."""
     return bool(2 * u.size >= grid_lines(u)[0].size * grid_lines(v)[0].size)
+
+
+def sample_axes(u: Array, v: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """For each parameter, coordinates in rising order and their place in units of the sample spacing.
+
+    Grid lines where there are any: on a grid both ways, on scan lines one way, with the samples along them as the other
+    spacing. Otherwise both ends of the range, with as many spacings both ways.
+    """
+    lines_u, lines_v = grid_lines(u)[0], grid_lines(v)[0]
+    if is_grid(u, v):
+        return (lines_u, _positions(lines_u)), (lines_v, _positions(lines_v))
+    if min(lines_u.size, lines_v.size) * SAMPLES_ON_LINE <= u.size:
+        number = min(lines_u.size, lines_v.size)
+        along = np.array([0.0, u.size / number])
+        if lines_u.size < lines_v.size:
+            return (lines_u, _positions(lines_u)), (lines_v[[0, -1]], along)
+        return (lines_u[[0, -1]], along), (lines_v, _positions(lines_v))
+    ends = np.array([0.0, np.sqrt(u.size)])
+    return (lines_u[[0, -1]], ends), (lines_v[[0, -1]], ends)
 
 
 def _positions(lines: Array) -> Array:
@@ -67,12 +88,7 @@ class MeasuredRegion:
 
     @cached_property
     def _axes(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        if is_grid(self.sample_u, self.sample_v):
-            lines_u, lines_v = grid_lines(self.sample_u)[0], grid_lines(self.sample_v)[0]
-            return (lines_u, _positions(lines_u)), (lines_v, _positions(lines_v))
-        ends = np.array([0.0, np.sqrt(self.sample_u.size)])
-        u0, u1, v0, v1 = self.bounds
-        return (np.array([u0, u1]), ends), (np.array([v0, v1]), ends)
+        return sample_axes(self.sample_u, self.sample_v)
 
     def _scaled(self, u: Array, v: Array) -> Array:
         axis_u, axis_v = self._axes

@@ -14,7 +14,7 @@ from scipy.sparse import csr_array
 
 from core.error_surface.banded import BandedFactor
 from core.error_surface.basis import TensorBasis, clamped_knots, energies
-from core.error_surface.region import grid_lines, is_grid
+from core.error_surface.region import sample_axes
 from core.error_surface.surface import ErrorSurface
 from core.errors import FitError
 from core.robust import huber_weights, mad_sigma, tukey_weights
@@ -264,14 +264,13 @@ def _acceptable(problem: _Problem, u: Array, v: Array, used: Mask, solution: _So
 
 
 def _basis(u: Array, v: Array, intervals: tuple[int, int] | None) -> TensorBasis:
-    gridded = is_grid(u, v)
     knots = []
-    for axis, x in enumerate((u, v)):
-        lines = grid_lines(x)[0] if gridded else np.array([x.min(), x.max()])
+    for axis, (lines, places) in enumerate(sample_axes(u, v)):
         if intervals is not None:
-            breaks = np.linspace(x.min(), x.max(), intervals[axis] + 1)
+            breaks = np.linspace(lines[0], lines[-1], intervals[axis] + 1)
         else:
-            count = lines.size - 1 if gridded else int(np.sqrt(x.size))
+            # Between two ends alone, as many intervals as spacings; on lines, one between neighbours.
+            count = int(places[-1]) if lines.size == 2 else lines.size - 1
             count = max(min(count, MOST_INTERVALS), 1)
             breaks = np.interp(np.linspace(0.0, 1.0, count + 1), np.linspace(0.0, 1.0, lines.size), lines)
         knots.append(clamped_knots(breaks))

@@ -130,6 +130,17 @@ def test_smoothing_scattered_samples():
     assert np.sqrt(np.nanmean(deviation**2)) < 0.01
 
 
+def test_samples_along_scan_lines():
+    rng = np.random.default_rng(8)
+    v = np.repeat(np.linspace(0.1, 0.9, 12), 150)
+    u = rng.uniform(0.05, 0.95, v.size)
+    surface = fit_error_surface(u, v, 0.3 * np.sin(3 * u) + 0.2 * v**2 + rng.normal(0.0, 0.01, u.size), mode="smooth")
+    at_u, at_v = rng.uniform(0.1, 0.9, (2, 1000))
+    deviation = surface.evaluate(at_u, at_v) - (0.3 * np.sin(3 * at_u) + 0.2 * at_v**2)
+    assert np.isnan(deviation).mean() < 0.02
+    assert np.sqrt(np.nanmean(deviation**2)) < 0.004
+
+
 def test_nothing_is_said_outside_the_measured_patch():
     u, v = grid()
     surface = fit_error_surface(u, v, truth(u, v))

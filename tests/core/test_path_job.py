@@ -2,6 +2,7 @@
 
 import json
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from core.error_surface import fit_error_surface
 from core.errors import InputError
 from core.path import path_job_from_dict
+from core.path.job import KEYS
 
 JOB = """
 cad = "blade.step"
@@ -53,6 +55,16 @@ def test_complete_job(folder):
     assert job.program == folder / "path.script" and job.program_settings.date == "2031-02-03"
     assert job.workspace.max_reach_mm == 1300.0
     assert {path.name for path in job.files} == {"blade.step", "surface.json", "tool.json"}
+
+
+def test_the_documented_example_is_complete_and_right(folder):
+    page = (Path(__file__).parents[2] / "docs" / "steps" / "path.md").read_text(encoding="utf-8")
+    example = page.split("```toml")[1].split("```")[0]
+    for old, new in (("dr95.step", "blade.step"), ("errors.json", "surface.json")):
+        example = example.replace(old, new)
+    job = path_job_from_dict(tomllib.loads(example), folder)
+    assert all(key in example for key in KEYS)
+    assert job.program_settings.max_turn_rad_s == pytest.approx(1.0, abs=0.01)
 
 
 def test_blade_in_the_gripper_from_the_calibration_chain(folder):
