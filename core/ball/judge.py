@@ -80,8 +80,8 @@ def _share_reasons(fit: SphereFit, inliers: int, limits: SphereLimits) -> list[R
         reasons.append(Reason(Code.NOT_ENOUGH_POINTS, message))
     if fit.coverage < limits.min_coverage:
         message = (
-            f"Only {100.0 * fit.coverage:.2g} % of the ball's surface was seen, {100.0 * limits.min_coverage:.2g} % are "
-            "asked. Turn the ball's free side to the scanner."
+            f"Only {100.0 * fit.coverage:.2g} % of the ball's surface was seen, {100.0 * limits.min_coverage:.2g} % "
+            "are asked. Turn the ball's free side to the scanner."
         )
         reasons.append(Reason(Code.LOW_COVERAGE, message))
     if fit.inlier_share < limits.min_inlier_share:

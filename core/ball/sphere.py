@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from core.ball.coverage import coverage
 from core.ball.sphere_refine import Refined, Sphere, information, refine, step, truncation_factors
-from core.ball.sphere_search import Candidate, RadiusRange, ball_candidates, looks_like_a_ball
+from core.ball.sphere_search import Candidate, RadiusRange, ball_candidates, shaped_like_a_ball, stands_out
 from core.errors import FitError, InputError
 from core.robust import mad_sigma
 from core.verdict import Code
@@ -30,7 +30,7 @@ LARGEST_RELATIVE_SIGMA = 0.1
 # A scanner noisier than this measures no ball.
 NOISIEST_MM = 0.4
 _SEARCH_POINTS = 5000
-_MOST_CANDIDATES = 6
+_MOST_CANDIDATES = 25
 # Enough points for the figures that only check the fit.
 _CHECK_POINTS = 20000
 
@@ -192,8 +192,8 @@ def _not_found(some: Array, radii: RadiusRange, rng: np.random.Generator) -> str
     if radii.expected is None:
         return (
             f"No ball of {SMALLEST_DIAMETER_MM:g} to {LARGEST_DIAMETER_MM:g} mm diameter was found in the scan ("
-            "planes, cylinders and scattered points do not count, nor a cap too flat to tell from a plane). Aim at the ball, "
-            "or give its certified diameter with --diameter and --fix-diameter."
+            "planes, cylinders and scattered points do not count, nor a cap too flat to tell from a plane). Aim at the "
+            "ball, or give its certified diameter with --diameter and --fix-diameter."
         )
     wanted = f"No ball of diameter {2.0 * radii.expected:.4g} mm was found in the scan"
     others = (
@@ -216,19 +216,23 @@ def _refined(
     residuals = start.residuals(some)
     inside = np.abs(residuals) <= candidate.threshold
     sigma = max(mad_sigma(residuals[inside], centred=True), 1e-9 * start.radius)
-    refined = refine(start, local, sigma, fixed=fixed, rng=rng)
-    sphere = refined.sphere
+    settled = refine(start, some, sigma, fixed=fixed, rng=rng)
     # A fit that shrinks onto a coincidence keeps few of the candidate's points and does not settle.
-    kept = np.mean(refined.inliers) / np.mean(inside)
-    if not refined.converged or kept < 0.4 or np.count_nonzero(refined.inliers) < MIN_INLIERS:
+    count = int(np.count_nonzero(settled.inliers))
+    if not settled.converged or count < max(MIN_INLIERS, 0.4 * np.count_nonzero(inside)):
         return None
-    if refined.sigma > min(0.05 * start.radius, NOISIEST_MM):
+    if settled.sigma > min(0.05 * start.radius, NOISIEST_MM):
         return None
+    sphere = settled.sphere
     shift = float(np.linalg.norm(sphere.center - start.center))
     if shift > 0.3 * start.radius or abs(sphere.radius - start.radius) > 0.3 * start.radius:
         return None
-    final = Candidate(sphere, max(2.5 * refined.sigma, 1e-6 * start.radius), 0.0)
-    return refined if looks_like_a_ball(some, final, rng, fixed=fixed) else None
+    width = max(2.5 * settled.sigma, 1e-6 * start.radius)
+    if not stands_out(some, Candidate(sphere, width, 0.0), rng, fixed=fixed):
+        return None
+    if not shaped_like_a_ball(sphere, some[settled.inliers], width, fixed=fixed):
+        return None
+    return settled if some is local else refine(sphere, local, settled.sigma, fixed=fixed, rng=rng)
 
 
 def _result(

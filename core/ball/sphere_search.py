@@ -20,9 +20,9 @@ _THRESHOLDS = 0.0005 * 3.0 ** (0.5 * np.arange(10))
 # A scanner whose noise fills a wider shell measures no ball.
 _WIDEST_MM = 1.0
 _SAMPLE_SIZES = (4, 6, 12, 30)
-_SEEDS = 320
-_SCORE_POINTS = 1500
-_FINALISTS = 50
+_SEEDS = 240
+_SCORE_POINTS = 2000
+_FINALISTS = 30
 _RADIUS_BINS = 5
 # Thresholds tried, divided by the accepted number of false alarms.
 _LOG_ALARMS = float(np.log(10.0 / 0.1))
@@ -33,7 +33,7 @@ _LEAST_CONTRAST = 1.5
 
 @dataclass(frozen=True)
 class Candidate:
-    """A sphere that passed every check, the half-width of its shell (mm), and its support."""
+    """A sphere, the half-width of its shell (mm), and its support."""
 
     sphere: Sphere
     threshold: float
@@ -51,7 +51,10 @@ class RadiusRange:
 
 
 def ball_candidates(points: Array, radii: RadiusRange, rng: np.random.Generator) -> Iterator[Candidate]:
-    """Spheres among points (n, 3), a few thousand at most, that pass every check, the best supported first."""
+    """Spheres among points (n, 3), a few thousand at most, that stand out, the best supported first.
+
+    Their shape is not checked yet, see `shaped_like_a_ball`.
+    """
     hypotheses = _hypotheses(points, radii, rng)
     if not hypotheses:
         return
@@ -62,14 +65,14 @@ def ball_candidates(points: Array, radii: RadiusRange, rng: np.random.Generator)
     best_level = np.argmax(scores, axis=1)
     order = np.argsort(-scores[np.arange(len(scores)), best_level])
     finalists = _finalists(order, centers, radius, best_level, radii)
-    polished = (_polished(points, hypotheses[index], radii) for index in finalists)
+    polished = (_polished(some, hypotheses[index], radii) for index in finalists)
     found = sorted((candidate for candidate in polished if candidate), key=lambda candidate: -candidate.score)
     tried: list[Candidate] = []
     for candidate in found:
         if any(_same(candidate, other) for other in tried):
             continue
         tried.append(candidate)
-        if looks_like_a_ball(points, candidate, rng, fixed=radii.fixed):
+        if stands_out(points, candidate, rng, fixed=radii.fixed):
             yield candidate
 
 
@@ -183,12 +186,12 @@ def _band_scores(points: Array, centers: Array, radius: Array) -> Array:
 def _polished(points: Array, start: Sphere, radii: RadiusRange) -> Candidate | None:
     """The hypothesis after robust geometric iterations from wide to narrow shells; None if it leaves the range."""
     best: Candidate | None = None
-    for level in (9, 6, 3):
+    for level in (8, 4):
         threshold = float(_THRESHOLDS[level]) * start.radius
         near = points[np.abs(start.residuals(points)) < 3.0 * threshold]
         if len(near) < 8:
             continue
-        fitted = robust(start, near, threshold, fixed=radii.fixed)
+        fitted = robust(start, near, threshold, fixed=radii.fixed, iterations=6)
         if not np.isfinite(fitted.radius) or not 0.99 * radii.low <= fitted.radius <= 1.01 * radii.high:
             continue
         score = _band_scores(points, fitted.center[None], np.array([fitted.radius]))[0]
@@ -198,18 +201,18 @@ def _polished(points: Array, start: Sphere, radii: RadiusRange) -> Candidate | N
     return best if best is None or np.isfinite(best.score) else None
 
 
-def looks_like_a_ball(points: Array, candidate: Candidate, rng: np.random.Generator, *, fixed: bool) -> bool:
-    """True if the shell is better filled than its neighbourhood, than chance, and is curved alike in all directions."""
-    sphere, width = candidate.sphere, candidate.threshold
-    size = np.abs(sphere.residuals(points))
-    inside = size <= width
-    count = int(np.count_nonzero(inside))
-    beside = int(np.count_nonzero((size > width) & (size <= 3.0 * width)))
+def stands_out(points: Array, candidate: Candidate, rng: np.random.Generator, *, fixed: bool) -> bool:
+    """True if the shell is better filled than its neighbourhood and than chance would fill it."""
+    size = np.abs(candidate.sphere.residuals(points))
+    count = int(np.count_nonzero(size <= candidate.threshold))
+    beside = int(np.count_nonzero(size <= 3.0 * candidate.threshold)) - count
     if count < 10 or count < _LEAST_CONTRAST * beside:
         return False
-    if not _better_than_chance(points, sphere, width, count, rng, fixed=fixed):
-        return False
-    on_ball = points[inside]
+    return _better_than_chance(points, candidate.sphere, candidate.threshold, count, rng, fixed=fixed)
+
+
+def shaped_like_a_ball(sphere: Sphere, on_ball: Array, width: float, *, fixed: bool) -> bool:
+    """True if the points on the surface are curved, alike in all directions, with the sphere's radius."""
     return not curved_unequally(sphere, on_ball) and curvature_is_seen(sphere, on_ball, width, fixed=fixed)
 
 
@@ -226,7 +229,7 @@ def _better_than_chance(
     # Every choice of four points (three for a known radius) is a hypothesis, and they lie on it by construction.
     total, chosen = len(points), 3 if fixed else 4
     log_choices = float(gammaln(total + 1) - gammaln(chosen + 1) - gammaln(total - chosen + 1))
-    return float(binom.logsf(count - chosen - 1, total - chosen, share)) + log_choices + _LOG_ALARMS < 0.0
+    return bool(float(binom.logsf(count - chosen - 1, total - chosen, share)) + log_choices + _LOG_ALARMS < 0.0)
 
 
 def curved_unequally(sphere: Sphere, points: Array) -> bool:
@@ -246,7 +249,7 @@ def curved_unequally(sphere: Sphere, points: Array) -> bool:
         return False
     ratio = (before - after) / 5.0 / max(after / free, 1e-300)
     share = 1.0 - (after / free) / (before / len(points))
-    return share > 0.35 and ratio > float(f_distribution.isf(1e-4, 5, free))
+    return bool(share > 0.35 and ratio > float(f_distribution.isf(1e-4, 5, free)))
 
 
 def curvature_is_seen(sphere: Sphere, points: Array, width: float, *, fixed: bool) -> bool:

@@ -166,7 +166,7 @@ def solve_stage(observations: StageObservations) -> StageFit:
     stage, angle, balls, sigma = _checked(observations)
     moved = np.ptp(stage, axis=0) > STILL_MM
     turns = bool(np.ptp(angle) > STILL_RAD)
-    _check_moves(stage, moved, turns)
+    _check_needed_axes(moved, turns)
     unknowns = 3 + 3 * int(moved.sum()) + (4 if turns else 0)
     needed = -(-unknowns // 3)
     if len(stage) < needed:
@@ -175,6 +175,7 @@ def solve_stage(observations: StageObservations) -> StageFit:
             f"({_moved_names(moved, turns)}). Add positions.",
             Code.NOT_ENOUGH_POINTS,
         )
+    _check_independent(stage, moved)
     weights = np.ones(len(stage)) if sigma is None else 1.0 / sigma
     model, iterations, converged = solve_model(stage[:, moved], angle, balls, weights, rotary=turns)
     jacobian = (model.jacobian(stage[:, moved], angle) * weights[:, None, None]).reshape(-1, unknowns)
@@ -236,7 +237,7 @@ def _moved_names(moved: Mask, turns: bool) -> str:
     return ", ".join([*names, "rotary"] if turns else names)
 
 
-def _check_moves(stage: Array, moved: Mask, turns: bool) -> None:
+def _check_needed_axes(moved: Mask, turns: bool) -> None:
     if not moved.any() and not turns:
         raise FitError(
             "Stage: it stood still in all observations. Move axes x and y (and z) between the scans of the ball.",
@@ -249,6 +250,9 @@ def _check_moves(stage: Array, moved: Mask, turns: bool) -> None:
                 f"axis {AXIS_NAMES[axis]} moved.",
                 Code.NOT_ENOUGH_VARIATION,
             )
+
+
+def _check_independent(stage: Array, moved: Mask) -> None:
     travel = stage[:, moved] - stage[:, moved].mean(axis=0)
     travel /= np.linalg.norm(travel, axis=0)
     values = np.linalg.svd(travel, compute_uv=False)

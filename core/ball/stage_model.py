@@ -123,9 +123,9 @@ def solve_model(
     if not rotary:
         model, _ = _best_for_axis(None, travel, angle, balls, weights)
         return model, 1, True
-    starts = [_best_for_axis(axis, travel, angle, balls, weights) for axis in fibonacci_directions(150)]
+    starts = [_best_for_axis(axis, travel, angle, balls, weights) for axis in fibonacci_directions(100)]
     starts.sort(key=lambda start: start[1])
-    results = [_gauss_newton(model, travel, angle, balls, weights) for model, _ in starts[:4]]
+    results = [_gauss_newton(model, travel, angle, balls, weights) for model, _ in starts[:3]]
     model, iterations, converged, _ = min(results, key=lambda result: result[3])
     return model, iterations, converged
 
