@@ -62,12 +62,12 @@ def test_smoothing_against_refits_without_the_sample(options):
     surface = fit_error_surface(u, v, error, mode="smooth", reject=False, **options)
     fixed = {"mode": "smooth", "reject": False, "penalty": surface.penalty, "intervals": options.get("intervals")}
     compared = 0
-    for left_out in range(4, u.size):
+    for left_out in range(4, u.size, 6):
         rest = np.delete(np.arange(u.size), left_out)
         refit = fit_error_surface(u[rest], v[rest], error[rest], **fixed, reach_steps=np.inf)
         same_knots = refit.knots_u.size == surface.knots_u.size
         predicted = refit.evaluate(u[left_out], v[left_out])
-        if same_knots and np.isfinite(predicted) and left_out % 6 == 0:
+        if same_knots and np.isfinite(predicted):
             compared += 1
             assert surface.leave_one_out_mm[left_out] == pytest.approx(error[left_out] - predicted, abs=2e-6)
     assert compared > 10
