@@ -83,6 +83,13 @@ class Field:
             raise self.error(f"a number above {above:g}")
         return float(self.value)
 
+    def radius_mm(self) -> float:
+        """Radius of a grinder's head; what is outside of this range has another unit."""
+        value = self.number()
+        if not 5.0 <= value <= 5000.0:
+            raise self.error("5 to 5000 mm; check the unit")
+        return value
+
     def vector(self, length: int) -> Array:
         """(length,) finite numbers."""
         if not isinstance(self.value, list) or len(self.value) != length:

@@ -15,7 +15,7 @@ from core.errors import FitError, InputError
 OK, REJECTED, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 
 # In the order of the work; each module adds its own arguments and imports the heavy packages only when it runs.
-COMMANDS = ("ball", "stage", "base", "rough", "faces", "stylus", "tool", "error_surface", "path")
+COMMANDS = ("ball", "stage", "base", "rough", "faces", "fine", "stylus", "tool", "error_surface", "path")
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -151,3 +151,46 @@ def samples_csv(path, u, v, error):
     path.write_text("u,v,error_mm\n" + "".join(f"{a!r},{b!r},{c}\n" for a, b, c in
                                                zip(u.tolist(), v.tolist(), error, strict=True)))
     return path
+
+
+def blade_points(step, n=40_000, sigma_mm=0.03, seed=0):
+    """Points of a blade in M: drawn evenly from fine triangles of its surface, with noise, beside some of a fixture."""
+    from core.cad import read_step
+
+    rng = np.random.default_rng(seed)
+    mesh = read_step(step).tessellate(0.003)
+    corners = mesh.vertices[mesh.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.linalg.norm(normals, axis=1)
+    chosen = rng.choice(len(corners), n, p=area / area.sum())
+    a, b = rng.uniform(size=(2, n, 1))
+    a, b = np.where(a + b > 1, 1 - a, a), np.where(a + b > 1, 1 - b, b)
+    one, two, three = (corners[chosen, i] for i in range(3))
+    points = one + a * (two - one) + b * (three - one)
+    points += normals[chosen] / area[chosen, None] * rng.normal(0, sigma_mm, (n, 1))
+    fixture = rng.uniform([-60, -60, -110], [60, 60, -80], (n // 40, 3))
+    return moved(MEASURE_FROM_WORK, np.vstack([points, fixture]))
+
+
+def path_job(folder, step, v_range=(0.2, 0.8)):
+    """A job with everything that it names, in one folder; the error surface is 0.5 mm of cosine along the span."""
+    u, v = np.meshgrid(np.linspace(0.05, 0.95, 14), np.linspace(0.1, 0.9, 16), indexing="ij")
+    samples_csv(folder / "samples.csv", u.ravel(), v.ravel(), (0.4 * np.cos(3 * v.ravel())).tolist())
+    save(folder / "tool.json", {"base_from_tool": {"matrix": BASE_FROM_TOOL.tolist()}})
+    job = folder / "job.toml"
+    job.write_text(f"""
+cad = "{step}"
+airfoil = "AIRFOIL"
+error_surface = "surface.json"
+base_from_tool = "tool.json"
+flange_from_work = {rigid(turn("ZYX", 10.0, 5.0, -3.0), [1.0, -2.0, 128.0]).tolist()}
+wheel_radius_mm = 60.0
+contact_side = 1
+pattern = "transverse"
+count = 3
+u_range = [0.2, 0.8]
+v_range = {list(v_range)}
+step_mm = 3.0
+program = "blade.script"
+""")
+    return job

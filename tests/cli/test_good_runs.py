@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 import stat
 import subprocess
 import sys
@@ -162,11 +163,11 @@ def test_error_surface_and_evaluation(tmp_path, beltcal):
 
 
 def test_error_surface_smooth_rejects_a_bounce(tmp_path, beltcal):
-    u, v = sessions.grid(20, 20)
+    u, v = sessions.grid(14, 14)
     rng = np.random.default_rng(3)
     error = (sessions.error_at(u, v) + rng.normal(0, 0.01, u.size)).tolist()
     error[137] += 0.9
-    error[200] = ""
+    error[180] = ""
     run = beltcal("error-surface", sessions.samples_csv(tmp_path / "s.csv", u, v, error), "--smooth")
     assert [entry["index"] for entry in run.record["rejected"]] == [137]
     assert run.record["rejected"][0]["line"] == 139
@@ -185,6 +186,49 @@ def test_error_surface_from_head_angles(tmp_path, beltcal):
     a = np.radians(angle)
     expected = radius * (normal[0] * (np.cos(a) - 1) + normal[1] * np.sin(a))
     np.testing.assert_allclose(record["samples"]["error_mm"], expected, atol=1e-9)
+
+
+def test_path(tmp_path, beltcal):
+    job = sessions.path_job(tmp_path, ROOT / "resources/blades/dr95.step")
+    surface = tmp_path / "surface.json"
+    assert beltcal("error-surface", tmp_path / "samples.csv", "--out", surface).code == 0
+    run = beltcal("path", "--job", job, "--out", tmp_path / "path.json")
+    record = run.record
+    assert run.code == 0
+    assert len(record["strokes"]) == 3
+    wheel_contact = []
+    flange_from_work = sessions.rigid(sessions.turn("ZYX", 10.0, 5.0, -3.0), [1.0, -2.0, 128.0])
+    for stroke in record["strokes"]:
+        nominal, compensated = np.array(stroke["nominal_work_from_contact"]), np.array(stroke["work_from_contact"])
+        expected = 0.4 * np.cos(3 * np.array(stroke["v"]))
+        np.testing.assert_allclose(stroke["error_mm"], expected, atol=2e-3)
+        shift = np.einsum("ni,ni->n", compensated[:, :3, 3] - nominal[:, :3, 3], nominal[:, :3, 2])
+        np.testing.assert_allclose(shift, expected, atol=2e-3)
+        flange = np.array(stroke["base_from_flange"])
+        in_tool = np.linalg.inv(sessions.BASE_FROM_TOOL) @ flange @ flange_from_work @ compensated
+        wheel_contact.append(in_tool[:, :3, 3])
+    # Every contact of the blade comes to one point of the wheel, at its radius from the shaft.
+    wheel_contact = np.concatenate(wheel_contact)
+    np.testing.assert_allclose(wheel_contact, np.broadcast_to(wheel_contact[0], wheel_contact.shape), atol=1e-9)
+    assert abs(np.hypot(*wheel_contact[0, :2]) - 60.0) < 1e-9
+    program = tmp_path / "blade.script"
+    assert record["program"]["path"] == str(program)
+    assert record["program"]["sha256"] == hashlib.sha256(program.read_bytes()).hexdigest()
+    moves = re.findall(r"movel\(p\[([^]]+)\]", program.read_text())
+    first = np.array([float(word) for word in moves[1].split(",")])
+    np.testing.assert_allclose(first[:3] * 1000, np.array(record["strokes"][0]["base_from_flange"])[0][:3, 3], atol=1e-3)
+    assert {Path(entry["path"]).name for entry in record["inputs"]} == {"job.toml", "surface.json", "tool.json",
+                                                                        "dr95.step"}
+
+
+@pytest.mark.parametrize("words", [
+    ["base", "table1.json"], ["rough", "pairs.json"], ["stylus", "stylus.json"], ["tool", "wheel.json"],
+    ["stage", "stage.json"], ["error-surface", "samples.csv", "--evaluate", "points.csv"],
+])
+def test_examples_of_the_documentation(beltcal, monkeypatch, words):
+    monkeypatch.chdir(ROOT / "docs/examples")
+    run = beltcal(*words)
+    assert (run.code, run.err) == (0, "")
 
 
 def test_a_rejected_result_is_exit_1_and_still_written(tmp_path, beltcal):

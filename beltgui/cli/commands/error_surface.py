@@ -69,7 +69,7 @@ def _errors(table: Table, args: argparse.Namespace, job: Job) -> Array:
         raise InputError(f"{args.samples}: the samples are head angles, which need the tool's radius. Give "
                          "--tool TOOL.json, the output of `beltcal tool`.")
     tool = job.json(args.tool)
-    radius_mm = tool.key("radius_mm").number(above=0.0)
+    radius_mm = tool.key("radius_mm").radius_mm()
     job.warn_if_rejected(tool)
     normals = np.column_stack([table.columns[name] for name in ("nx", "ny", "nz")])
     angle_rad = np.radians(table.columns["angle_deg"])

@@ -63,3 +63,19 @@ def _from_pairs(args: argparse.Namespace, job: Job) -> dict[str, Any]:
     for remark in fit.remarks:
         job.say(f"{args.pairs}: {remark}")
     return record(fit, judge_pairs(fit, limits))
+
+
+def _automatic(args: argparse.Namespace, job: Job) -> dict[str, Any]:
+    from beltgui.cli.limits import read_limits
+    from beltgui.steps.rough.record import automatic_record
+    from core.fine import FineLimits, judge_fine, solve_fine
+    from core.rough.automatic import register_globally
+
+    limits = read_limits(args.limits, "fine", FineLimits)
+    cloud = job.cloud(args.scan)
+    model = job.step(args.cad)
+    job.say("searching for the blade in the scan.")
+    with job.about(args.scan):
+        fit = register_globally(model, cloud.points_mm, confirm=solve_fine, seed=args.seed)
+        verdict = judge_fine(fit.fine, limits)
+    return automatic_record(fit, verdict)

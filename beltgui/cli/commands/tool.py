@@ -42,7 +42,7 @@ def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
         point_in_base_mm=np.array([item.key("point_in_base_mm").vector(3) for item in items]),
     )
     with job.about(args.observations):
-        fit = solve_wheel(touches, radius_mm=radius.number(above=0.0) if radius else None,
+        fit = solve_wheel(touches, radius_mm=radius.radius_mm() if radius else None,
                           shaft_offset_mm=offset.number() if offset else 0.0)
         verdict = judge_wheel(fit, limits)
     return wheel_record(fit, verdict)
