@@ -14,6 +14,7 @@ from core.fine.coarse import ModelSamples, ThinScan, align, sample_model, score,
 from core.fine.moments import accumulate, solve_moments
 from core.fine.noise import shortest_half_sigma
 from core.fine.settings import FineSettings
+from core.fine.slides import slid_poses
 from core.frames import perturbed, transform_points
 from core.robust import tukey_weights
 
@@ -22,10 +23,12 @@ Array = NDArray[np.float64]
 TESSELLATION_MM = 0.03
 NEAR_MM = 2.0
 _LEAST_STARTS, _MOST_STARTS = 3, 14
-_EXPLORING_POINTS = 1200
+_EXPLORING_POINTS = 800
 _LEAST_THIN_POINTS = 20
 _SAME_POSE_MM = 0.5
 _POLISH_KERNEL_MM = 0.6
+_CLEARLY_BETTER = 1.02
+_WORTH_A_TRY = 0.8
 _SHRINK = 0.6
 # Boxes stop tightening here; the final stage takes over.
 _LAST_HALF_SIGMAS = 8.0
@@ -75,6 +78,7 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
     if len(thin.points) < _LEAST_THIN_POINTS:
         return None
     pose = _best_coarse(samples, thin, model, start, settings)
+    pose = _without_slide(samples, thin, targets, pose, settings)
     rng = np.random.default_rng(settings.seed)
     medium = points
     if len(points) > settings.medium_points:
@@ -105,6 +109,20 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
         if reached >= 2 and attempt + 1 >= _LEAST_STARTS:
             break
     return align(samples, thin, best, settings.capture_mm, kernel_mm=_POLISH_KERNEL_MM)
+
+
+def _without_slide(samples: ModelSamples, thin: ThinScan, targets: Sequence[Target], pose: Array,
+                   settings: FineSettings) -> Array:
+    """The pose, or the better one that lies a shift along some faces' normal away."""
+    best, best_score = pose, score(samples, thin, pose)
+    for slid in slid_poses(targets, thin, pose, settings.capture_mm):
+        if score(samples, thin, slid) < _WORTH_A_TRY * best_score:
+            continue
+        tried = align(samples, thin, slid, settings.capture_mm, kernel_mm=_POLISH_KERNEL_MM)
+        value = score(samples, thin, tried)
+        if value > _CLEARLY_BETTER * best_score:
+            best, best_score = tried, value
+    return best
 
 
 def _varied(start: Array, model: CadModel, attempt: int, rng: np.random.Generator) -> Array:

@@ -25,7 +25,7 @@ NORMAL_LENGTH_MM = 8.0
 SUPPORT_POINTS = 60_000
 SUPPORT_SPACING_MM = 0.5
 NEIGHBOURS = 14
-_KERNEL_START_MM, _KERNEL_END_MM, _KERNEL_SHRINK = 4.0, 0.12, 0.75
+_KERNEL_START_MM, _KERNEL_END_MM, _KERNEL_SHRINK = 4.0, 0.12, 0.68
 # Weight of faces that were not chosen, at the end: they hold what the chosen ones leave free, and bend nothing.
 _OTHER_FACES_END = 0.02
 _RIDGE = 1e-6
