@@ -86,8 +86,8 @@ def nominal_arm() -> Arm:
 
 def working_joints(rng: np.random.Generator, count: int) -> Array:
     """(count, 6) joint angles spread over the space in front of the arm, where work is done."""
-    low = np.deg2rad([-180.0, -130.0, 40.0, -180.0, -150.0, -180.0])
-    high = np.deg2rad([180.0, -40.0, 130.0, 60.0, -30.0, 180.0])
+    low = np.deg2rad([-180.0, -130.0, 40.0, -90.0, 30.0, -180.0])
+    high = np.deg2rad([180.0, -40.0, 130.0, 90.0, 150.0, 180.0])
     return np.asarray(rng.uniform(low, high, size=(count, 6)))
 
 
@@ -112,24 +112,39 @@ def imperfect_arm(rng: np.random.Generator, absolute_rms_mm: float) -> Arm:
 
 
 def reach_joints(arm: Arm, base_from_flange: Array, near_rad: Array) -> Array | None:
-    """Joint angles for a pose: from where the arm stands if that is near, otherwise the nearest branch."""
+    """Joint angles for a pose, each within half a turn of `near_rad` where the joint limits allow it.
+
+    Wherever it can, the arm takes the one branch with the shoulder towards the pose, elbow up and wrist not flipped: a
+    pose has the same true error then however the arm came there.
+
+    Returns:
+        (6,) rad, or None where no branch reaches the pose.
+    """
+    azimuth = float(np.arctan2(base_from_flange[1, 3], base_from_flange[0, 3]))
     direct = arm.inverse(base_from_flange, near_rad)
-    if direct is not None:
-        direct = _near(direct, near_rad)
-        if np.abs(direct - near_rad).max() < 1.8 and np.abs(direct).max() <= JOINT_LIMIT_RAD:
-            return direct
-    found = [] if direct is None or np.abs(direct).max() > JOINT_LIMIT_RAD else [direct]
-    azimuth = np.arctan2(base_from_flange[1, 3], base_from_flange[0, 3])
-    for wrist_2 in (-np.pi / 2, np.pi / 2):
-        for wrist_1 in (-2.4, -1.2, 0.0, 1.2):
-            for wrist_3 in (-2.0, 0.0, 2.0):
+    if direct is not None and _usual(direct, azimuth):
+        return _near(direct, near_rad)
+    others = [] if direct is None else [direct]
+    for wrist_2 in (np.pi / 2, -np.pi / 2):
+        for wrist_1 in (-0.3, -1.2, 0.6, -2.4):
+            for wrist_3 in (0.0, 2.0, -2.0):
                 seed = np.array([azimuth + np.pi, -1.4, 1.6, wrist_1, wrist_2, wrist_3])
-                solution = arm.inverse(base_from_flange, seed)
-                if solution is not None:
-                    solution = _near(solution, near_rad)
-                    if np.abs(solution).max() <= JOINT_LIMIT_RAD and solution[2] > 0.0:  # elbow up
-                        found.append(solution)
-    return min(found, key=lambda q: float(np.abs(q - near_rad).max())) if found else None
+                found = arm.inverse(base_from_flange, seed)
+                if found is not None and _usual(found, azimuth):
+                    return _near(found, near_rad)
+                if found is not None:
+                    others.append(found)
+    wrapped = [joints for joints in (_near(other, near_rad) for other in others) if _within_limits(joints)]
+    return min(wrapped, key=lambda joints: float(np.abs(joints - near_rad).max())) if wrapped else None
+
+
+def _usual(joints: Array, azimuth_rad: float) -> bool:
+    """Shoulder towards the pose, elbow up, wrist not flipped."""
+    return bool(np.cos(joints[0] - azimuth_rad) < 0.0 and np.sin(joints[2]) > 0.0 and np.sin(joints[4]) > 0.0)
+
+
+def _within_limits(joints: Array) -> bool:
+    return bool(np.abs(joints).max() <= JOINT_LIMIT_RAD)
 
 
 def _near(joints: Array, near: Array) -> Array:

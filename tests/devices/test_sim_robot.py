@@ -37,16 +37,29 @@ def test_forward_kinematics_match_a_hand_calculation() -> None:
     assert upright[2, 3] == pytest.approx(236.3 + 862.0 + 728.7 + 159.3, abs=1e-9)
 
 
-def test_the_inverse_finds_the_joints_again_and_each_branch_reaches_the_pose() -> None:
+def test_the_inverse_finds_the_joints_again_and_reaches_the_pose_from_far_away() -> None:
     arm, rng = nominal_arm(), np.random.default_rng(1)
     for joints in working_joints(rng, 25):
         flange = arm.forward(joints)
-        near = reach_joints(arm, flange, joints + rng.normal(0.0, 0.05, 6))
+        near = arm.inverse(flange, joints + rng.normal(0.0, 0.05, 6))
         assert near is not None
         assert np.abs(near - joints).max() < 1e-8
         far = reach_joints(arm, flange, np.zeros(6))
         assert far is not None
         assert np.abs(arm.forward(far) - flange).max() < 1e-5
+
+
+def test_a_pose_is_reached_by_the_same_branch_wherever_the_arm_comes_from() -> None:
+    simulated = build_simulated_cell()
+    plan, arm = simulated.plan, nominal_arm()
+    taught = [pose.base_from_flange for pose in (*plan.base_step, *plan.fine_step[:1])] + list(plan.stylus.touches[:3])
+    starts = [plan.robot.home_rad, np.zeros(6), np.deg2rad([90.0, -60.0, 80.0, 20.0, -80.0, 300.0])]
+    for pose in taught:
+        found = [reach_joints(arm, pose, start) for start in starts]
+        assert all(joints is not None and np.abs(joints).max() <= 2.0 * np.pi for joints in found)
+        turns = [(np.array(joints) - np.array(found[0])) / (2.0 * np.pi) for joints in found]
+        assert np.abs(turns - np.round(turns)).max() < 1e-7
+        assert np.linalg.svd(arm.frames(np.array(found[0]))[:6, :3, 2])[1].min() > 0.2  # not near a wrist singularity
 
 
 def test_the_absolute_error_has_the_size_that_was_asked_for() -> None:
