@@ -20,6 +20,9 @@ Mask = NDArray[np.bool_]
 
 MIN_POINTS = 10
 MIN_INLIERS = 10
+# Without a named diameter there are many more spheres to be mistaken for the ball.
+MIN_INLIERS_UNNAMED = 20
+MIN_SHARE_UNNAMED = 0.01
 # Balls that are looked for when no diameter is named.
 SMALLEST_DIAMETER_MM = 2.0
 LARGEST_DIAMETER_MM = 300.0
@@ -116,7 +119,7 @@ def fit_sphere(
     _check_shape(some)
     radii = _radius_range(diameter_mm, fix_diameter)
     for candidate in islice(ball_candidates(some, radii, rng), _MOST_CANDIDATES):
-        refined = _refined(local, some, candidate, rng, fixed=fix_diameter)
+        refined = _refined(local, some, candidate, rng, radii)
         if refined is not None:
             return _result(local, middle, refined, diameter_mm, fix_diameter, sigma_mm, rng)
     raise FitError(_not_found(some, radii, rng), Code.NOT_ENOUGH_VARIATION)
@@ -196,9 +199,10 @@ def _not_found(some: Array, radii: RadiusRange, rng: np.random.Generator) -> str
             "ball, or give its certified diameter with --diameter and --fix-diameter."
         )
     wanted = f"No ball of diameter {2.0 * radii.expected:.4g} mm was found in the scan"
+    unnamed = _radius_range(None, False)
     others = (
-        _refined(some, some, candidate, rng, fixed=False)
-        for candidate in islice(ball_candidates(some, _radius_range(None, False), rng), _MOST_CANDIDATES)
+        _refined(some, some, candidate, rng, unnamed)
+        for candidate in islice(ball_candidates(some, unnamed, rng), _MOST_CANDIDATES)
     )
     other = next((refined for refined in others if refined is not None), None)
     if other is None:
@@ -209,23 +213,24 @@ def _not_found(some: Array, radii: RadiusRange, rng: np.random.Generator) -> str
 
 
 def _refined(
-    local: Array, some: Array, candidate: Candidate, rng: np.random.Generator, *, fixed: bool
+    local: Array, some: Array, candidate: Candidate, rng: np.random.Generator, radii: RadiusRange
 ) -> Refined | None:
     """The candidate fitted to all points; None if that leads away from it or leaves too little of a ball."""
-    start = candidate.sphere
+    start, fixed = candidate.sphere, radii.fixed
     residuals = start.residuals(some)
     inside = np.abs(residuals) <= candidate.threshold
     sigma = max(mad_sigma(residuals[inside], centred=True), 1e-9 * start.radius)
     settled = refine(start, some, sigma, fixed=fixed, rng=rng)
     # A fit that shrinks onto a coincidence keeps few of the candidate's points and does not settle.
     count = int(np.count_nonzero(settled.inliers))
-    if not settled.converged or count < max(MIN_INLIERS, 0.4 * np.count_nonzero(inside)):
+    least = MIN_INLIERS if radii.expected is not None else max(MIN_INLIERS_UNNAMED, MIN_SHARE_UNNAMED * len(some))
+    if not settled.converged or count < max(least, 0.4 * np.count_nonzero(inside)):
         return None
     if settled.sigma > min(0.05 * start.radius, NOISIEST_MM):
         return None
     sphere = settled.sphere
     shift = float(np.linalg.norm(sphere.center - start.center))
-    if shift > 0.3 * start.radius or abs(sphere.radius - start.radius) > 0.3 * start.radius:
+    if shift > 0.3 * start.radius or not radii.low <= sphere.radius <= radii.high:
         return None
     width = max(2.5 * settled.sigma, 1e-6 * start.radius)
     if not stands_out(some, Candidate(sphere, width, 0.0), rng, fixed=fixed):

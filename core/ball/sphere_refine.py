@@ -179,7 +179,7 @@ def _cells(result: Refined, near: Array) -> Cells:
 
 def _settle(start: Sphere, near: Array, sigma_start: float, *, fixed: bool, most: int = 40) -> Refined:
     sphere, sigma, cut = start, sigma_start, CUT
-    floor = max(1e-9 * start.radius, 1e-13 * float(np.abs(near).max()))
+    floor = max(1e-9 * start.radius, 1e-13 * float(np.abs(near).max(initial=0.0)))
     converged = False
     iterations = 0
     inside = np.zeros(len(near), dtype=bool)

@@ -23,6 +23,7 @@ _SAMPLE_SIZES = (4, 6, 12, 30)
 _SEEDS = 240
 _SCORE_POINTS = 2000
 _FINALISTS = 30
+_CONTRAST_BY_LUCK = 1e-4
 _RADIUS_BINS = 5
 # Thresholds tried, divided by the accepted number of false alarms.
 _LOG_ALARMS = float(np.log(10.0 / 0.1))
@@ -207,6 +208,9 @@ def stands_out(points: Array, candidate: Candidate, rng: np.random.Generator, *,
     count = int(np.count_nonzero(size <= candidate.threshold))
     beside = int(np.count_nonzero(size <= 3.0 * candidate.threshold)) - count
     if count < 10 or count < _LEAST_CONTRAST * beside:
+        return False
+    # A handful of points on planes and stems can show that contrast by luck: half of them inside is what those give.
+    if binom.sf(count - 1, count + beside, 0.5) > _CONTRAST_BY_LUCK:
         return False
     return _better_than_chance(points, candidate.sphere, candidate.threshold, count, rng, fixed=fixed)
 

@@ -123,7 +123,7 @@ def test_coverage_is_the_caps_area(half_angle):
     assert fit.coverage == pytest.approx(0.5 * (1.0 - np.cos(np.radians(half_angle))), rel=0.15)
 
 
-@settings(derandomize=True, deadline=None, max_examples=12)
+@settings(derandomize=True, deadline=None, max_examples=8)
 @given(st.floats(1.5, 60.0), st.integers(0, 1000), st.sampled_from([0.0, 1e3, 1e5]))
 def test_any_size_any_place(radius, seed, far):
     rng = np.random.default_rng(seed)
@@ -183,9 +183,10 @@ NO_BALL = {
 @pytest.mark.parametrize("name", NO_BALL)
 @pytest.mark.parametrize("diameter", [None, 20.0])
 def test_no_ball_is_refused(name, diameter):
-    points = NO_BALL[name](np.random.default_rng(1))
-    with pytest.raises(FitError):
-        fit_sphere(points, diameter_mm=diameter, fix_diameter=diameter is not None)
+    for seed in (1, 2):
+        points = NO_BALL[name](np.random.default_rng(seed))
+        with pytest.raises(FitError):
+            fit_sphere(points, diameter_mm=diameter, fix_diameter=diameter is not None)
 
 
 def test_cap_too_small_for_a_free_radius_names_the_remedy():

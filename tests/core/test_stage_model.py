@@ -181,7 +181,7 @@ def test_metres_shapes_and_sigma_are_named():
         solve_stage(StageObservations(CROSS, ZERO, seen * 1e-3))
     with pytest.raises(InputError, match="stage positions look like metres"):
         solve_stage(StageObservations(CROSS * 1e-3 * 2.0, ZERO, seen))
-    with pytest.raises(InputError, match="shape|expected positions"):
+    with pytest.raises(InputError, match="expected positions"):
         solve_stage(StageObservations(CROSS, ZERO[:5], seen))
     with pytest.raises(InputError, match="sigma"):
         solve_stage(StageObservations(CROSS, ZERO, seen, -np.ones(7)))
