@@ -20,7 +20,7 @@ from core.verdict import Code
 
 _SAMPLE_SPACING_MM = 1.0
 _SMALL, _LARGE, _COMPARED = 300, 1500, 6000
-_KEPT_AFTER_SEARCH, _KEPT_AFTER_SCORE, _KEPT_AFTER_ALIGN = 300, 60, 10
+_KEPT_AFTER_SEARCH, _KEPT_AFTER_SCORE, _KEPT_AFTER_ALIGN = 300, 40, 8
 _WIDE_GATES_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.0)
 _NARROW_GATES_MM = (3.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.4, 0.3, 0.3)
 
@@ -115,15 +115,24 @@ def register_globally(model: CadModel, points: ArrayLike, *, confirm: Confirm[Fi
     """
     settings = settings or GlobalSettings()
     cloud = finite_points(points, "points")
-    candidates = find_candidates(model, cloud, seed=seed, settings=settings)
+    return accepted(model, cloud, find_candidates(model, cloud, seed=seed, settings=settings), confirm, settings)
+
+
+def accepted(model: CadModel, cloud: Array, candidates: tuple[Candidate, ...], confirm: Confirm[FineT_co],
+             settings: GlobalSettings) -> GlobalFit[FineT_co]:
+    """The best candidate, if it explains the scan (N, 3), no other does as well, and the fine step confirms it.
+
+    Raises:
+        FitError: one of the three is not so.
+    """
     best = candidates[0]
     _check_explains(model, best.agreement, settings)
     _check_unique(model, candidates, settings)
     try:
         fine = confirm(model, [cloud], best.measure_from_work)
     except FitError as error:
-        raise FitError(f"A pose was found that puts {best.agreement.on_surface:.0%} of the scan on {model.path.name}, but "
-                       f"the fine step refuses it: {error}", error.code) from error
+        raise FitError(f"A pose was found that puts {best.agreement.on_surface:.0%} of the scan on {model.path.stem}, "
+                       f"but the fine step refuses it: {error}", error.code) from error
     moved = _corner_distance(model, fine.measure_from_work, best.measure_from_work)
     if moved > settings.max_fine_move_mm:
         raise FitError(f"The fine step moved the model by {moved:.1f} mm away from the pose that explains the scan "
@@ -177,7 +186,8 @@ def _searched(scan: Shape, rows: NDArray[np.int64], model: Shape) -> Array:
     if len(scan_directions) < 2 or len(model_directions) < 2:
         short = "scan" if len(scan_directions) < 2 else "CAD model"
         raise FitError(f"The {short} has fewer than two flat areas of different direction, which the automatic search "
-                       "needs. Scan edge plate and shroud from the side, or pick pairs of points.", Code.NOT_ENOUGH_VARIATION)
+                       "needs. Scan edge plate and shroud from the side, or pick pairs of points.",
+                       Code.NOT_ENOUGH_VARIATION)
     rotations = rotations_from_directions(scan, scan_directions, model, model_directions)
     if not len(rotations):
         raise FitError("No two flat areas of the scan meet at an angle that flat areas of the CAD model have. Check "
@@ -231,13 +241,13 @@ def _check_size(model: CadModel, points: Array) -> None:
 def _check_explains(model: CadModel, found: Agreement, settings: GlobalSettings) -> None:
     """Enough of the scan must lie on the model, and what is near it must lie on it."""
     if found.on_surface < settings.min_on_surface:
-        raise FitError(f"{model.path.stem} was not found in the scan: the best pose puts {found.on_surface:.0%} of it on "
-                       f"the model, at least {settings.min_on_surface:.0%} is needed. Check the blade type, and scan edge "
+        raise FitError(f"{model.path.stem} was not found in the scan: the best pose puts {found.on_surface:.0%} of it "
+                       f"on the model, at least {settings.min_on_surface:.0%} is needed. Check the blade type, and scan edge "
                        "plate and shroud with less of the fixture.", Code.WRONG_MODEL)
     if found.of_near < settings.min_of_near or found.of_parallel < settings.min_of_parallel:
         raise FitError(f"The scan does not fit {model.path.stem}: in the best pose {found.of_near:.0%} of the points near "
-                       f"the model lie on it (at least {settings.min_of_near:.0%} is needed), and {found.of_parallel:.0%} "
-                       f"of those parallel to its faces ({settings.min_of_parallel:.0%}). Check the blade type.",
+                       f"the model lie on it ({settings.min_of_near:.0%} is needed), and of those parallel to its faces "
+                       f"{found.of_parallel:.0%} ({settings.min_of_parallel:.0%} is needed). Check the blade type.",
                        Code.WRONG_MODEL)
 
 

@@ -18,7 +18,7 @@ LEAST_ANGLE_RAD = np.radians(14.0)
 # Rotations closer than this are one.
 SAME_ROTATION_RAD = np.radians(4.0)
 # Rotations that go on to the translation search.
-MOST_ROTATIONS = 240
+MOST_ROTATIONS = 100
 # Side of a cell of the translation search.
 CELL_MM = 4.0
 PEAKS_PER_ROTATION = 3
@@ -68,7 +68,7 @@ def _frames(directions: Array, *, signed: bool) -> tuple[Array, Array]:
 def _normal_votes(rotations: Array, scan: Shape, model: Shape) -> Array:
     """How much of the scan has a normal that much of the model has too, for each rotation (K,)."""
     normals = scan.normals[scan.flat]
-    normals = normals[:: max(1, len(normals) // 400)]
+    normals = normals[:: max(1, len(normals) // 200)]
     axes = _sphere(900)
     axes_tree = KDTree(np.vstack([axes, -axes]))
     _, cell = nearest(axes_tree, model.normals)
@@ -120,7 +120,7 @@ class TranslationSearch:
         self._low = low - 2.0 * CELL_MM
         grid = np.stack(np.meshgrid(*[np.arange(n) for n in cells], indexing="ij"), axis=-1).reshape(-1, 3)
         distance, _ = nearest(model.tree, self._low + (grid + 0.5) * CELL_MM, 2.0 * CELL_MM)
-        field = np.zeros(self._size)
+        field = np.zeros(self._size, dtype=np.float32)
         field[grid[:, 0], grid[:, 1], grid[:, 2]] = np.exp(-0.5 * (distance / (0.6 * CELL_MM)) ** 2)
         self._spectrum = fft.rfftn(field)
 
@@ -133,7 +133,7 @@ class TranslationSearch:
         turned = scan_points @ rotation.T
         corner = turned.min(axis=0)
         cells = np.floor((turned - corner) / CELL_MM).astype(int) % self._size
-        counts = np.zeros(self._size)
+        counts = np.zeros(self._size, dtype=np.float32)
         np.add.at(counts, tuple(cells.T), 1.0)
         score = fft.irfftn(self._spectrum * np.conj(fft.rfftn(counts)), self._size)
         poses, heights = [], []

@@ -99,11 +99,11 @@ def flat_directions(shape: Shape, most: int, least_share: float) -> tuple[Array,
     out, and so on.
     """
     normals = shape.normals[shape.flat]
-    normals = normals[:: max(1, len(normals) // 8000)]
+    normals = normals[:: max(1, len(normals) // 5000)]
     free = np.ones(len(normals), dtype=bool)
     directions: list[Array] = []
     shares: list[float] = []
-    seeds = normals[:: max(1, len(normals) // 600)]
+    seeds = normals[:: max(1, len(normals) // 400)]
     while len(directions) < most and np.any(free):
         counts = np.count_nonzero(np.abs(seeds @ normals[free].T) > np.cos(MODE_RAD), axis=1)
         direction = seeds[int(np.argmax(counts))]
