@@ -17,6 +17,7 @@ from devices.sim.airfoil import TrueAirfoil
 from devices.sim.geometry import Array
 
 _CHUNK = 100_000
+_NEWTON_STEPS = 3  # the mesh is within a few micrometres of the surface: two are enough, one for oblique rays
 _LIFT_MM = 0.08  # start of a shadow ray above the surface: more than the tessellation's chord
 
 
@@ -201,11 +202,10 @@ def _on_airfoil(
         u, v = start_uv[begin : begin + _CHUNK].T
         reach = distance[part]
         origin, ray = origins[part], directions[part]
-        for _ in range(4):
+        for _ in range(_NEWTON_STEPS):
             point, du, dv = airfoil.point_and_tangents(u, v)
-            gap = origin + reach[:, None] * ray - point
-            # the unit vectors that pick one unknown each out of  du a + dv b - ray c = gap
             across = np.cross(du, dv)
+            gap = origin + reach[:, None] * ray - point
             slope = np.einsum("ij,ij->i", across, ray)
             usable = np.abs(slope) > 1e-3 * np.linalg.norm(across, axis=1)
             slope = np.where(usable, slope, np.inf)
@@ -218,9 +218,7 @@ def _on_airfoil(
             u = np.clip(u + usable * (gram_vv * right_u - gram_uv * right_v) / det, u_low, u_high)
             v = np.clip(v + usable * (gram_uu * right_v - gram_uv * right_u) / det, v_low, v_high)
             reach = reach + step
-        _, du, dv = airfoil.point_and_tangents(u, v)
-        across = outward * np.cross(du, dv)
         # near the silhouette Newton may run off: keep the mesh point there
         good = np.abs(reach - distance[part]) < 0.05
         distance[part[good]] = reach[good]
-        normal[part] = across / np.linalg.norm(across, axis=1, keepdims=True)
+        normal[part] = outward * across / np.linalg.norm(across, axis=1, keepdims=True)

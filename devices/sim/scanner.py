@@ -179,12 +179,12 @@ def _with_ghosts(image: Array, settings: ScannerTruth, rng: np.random.Generator)
             border = [slice(None), slice(None)]
             border[axis] = slice(0, 1) if shift == 1 else slice(-1, None)
             other[tuple(border)] = image[tuple(border)]  # beyond the field nothing is known: no edge
-            chance, weight = rng.uniform(size=image.shape), rng.uniform(size=image.shape)
-            jump = np.abs(other - image) > settings.ghost_jump_mm
-            mixed = jump & (chance < settings.ghost_share)
-            ghosted = np.where(mixed, weight * image + (1.0 - weight) * other, ghosted)
-            edge = np.isfinite(image) & ~np.isfinite(other) & (chance < settings.ghost_share)
-            ghosted = np.where(edge, image - settings.ghost_jump_mm * np.log(np.maximum(weight, 1e-12)) * 0.3, ghosted)
+            edge = np.isfinite(image) & ~(np.abs(other - image) <= settings.ghost_jump_mm)
+            at = np.flatnonzero(edge)
+            at = at[rng.uniform(size=len(at)) < settings.ghost_share]
+            here, beside, weight = image.flat[at], other.flat[at], rng.uniform(1e-12, 1.0, size=len(at))
+            floating = here - 0.3 * settings.ghost_jump_mm * np.log(weight)
+            ghosted.flat[at] = np.where(np.isfinite(beside), weight * here + (1.0 - weight) * beside, floating)
     return ghosted
 
 

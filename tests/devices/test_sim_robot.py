@@ -59,7 +59,7 @@ def test_a_pose_is_reached_by_the_same_branch_wherever_the_arm_comes_from() -> N
         assert all(joints is not None and np.abs(joints).max() <= 2.0 * np.pi for joints in found)
         turns = [(np.array(joints) - np.array(found[0])) / (2.0 * np.pi) for joints in found]
         assert np.abs(turns - np.round(turns)).max() < 1e-7
-        assert np.linalg.svd(arm.frames(np.array(found[0]))[:6, :3, 2])[1].min() > 0.2  # not near a wrist singularity
+        assert np.sin(np.array(found[0])[4]) > 0.3  # well away from the wrist's singularity
 
 
 def test_the_absolute_error_has_the_size_that_was_asked_for() -> None:
