@@ -75,7 +75,7 @@ class TruthTable:
         stage = found.ball.stage
         directions = self._truth.stage_axes / np.linalg.norm(self._truth.stage_axes, axis=0)
         for index, (name, i, j) in enumerate((("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))):
-            true_deg = np.degrees(0.5 * np.pi - np.arccos(directions[:, i] @ directions[:, j]))
+            true_deg = np.degrees(np.arccos(directions[:, i] @ directions[:, j])) - 90.0
             found_deg = np.degrees(stage.squareness_rad[index])
             self._number("ball", f"stage squareness {name}", true_deg, found_deg, "°", 4)
         in_front = np.array([0.0, 0.0, self._plan.scanner.working_distance_mm])

@@ -162,14 +162,16 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
         "Held out: mean distance of the face's points under the pose that the other faces give without it.",
     )  # fmt: skip
     points = found.scan_points
-    ids, distances = assign_points(model, points, fit)
+    used = [face.id for face in fit.faces if face.used]
+    assigned = assign_points(model, points, fit.measure_from_work, used)
+    ids, distances = assigned.face_id, assigned.distance_mm
     in_work = transform_points(inverse(fit.measure_from_work), points)
     by_face = {
         face.name or str(face.id): distances[ids == face.id] for face in fit.faces if np.any(ids == face.id)
     }
     limit = SCALE_SIGMAS * fit.sigma_mm
     pictures = [
-        Figure(scenes.scan_on_cad(model, in_work, np.where(ids > 0, distances, np.nan), limit),
+        Figure(scenes.scan_on_cad(model, in_work, distances, limit),
                f"The scan on the CAD model. Points on the registration faces are coloured by signed distance, from "
                f"{-1000.0 * limit:.0f} to {1000.0 * limit:+.0f} µm; grey points belong to no registration face."),
         Figure(figures.face_histograms(by_face), "Signed distances of the points on each face."),

@@ -66,6 +66,7 @@ class BladeType:
         limits: When a registration is accepted.
         probing: Grid of the error surface.
         flange_from_work: (4, 4) how the blade sits on the flange, roughly.
+        stock_mm: How far faces that are still to be ground may be from the CAD model; the rough step expects it.
         path: The type file.
     """
 
@@ -78,6 +79,7 @@ class BladeType:
     limits: RegistrationLimits
     probing: ProbingGrid
     flange_from_work: Array
+    stock_mm: float
     path: Path
 
     def accepts_serial(self, serial: str) -> bool:
@@ -172,6 +174,7 @@ def read_blade_type(path: str | Path) -> BladeType:
         probing=_probing(probing),
         flange_from_work=rigid(rotation_from_euler_zyx(*np.radians(start.triple("euler_zyx_deg"))),
                                start.triple("translation_mm")),
+        stock_mm=start.number("stock_mm", 0.0, 10.0),
         path=path)
     for table in (blade, faces, limits, probing, start):
         table.done()

@@ -98,7 +98,8 @@ def solve(
         InputError: the scans do not determine the pose, or do not show this blade.
     """
     base_from_flange = common_flange(samples)
-    fit = solve_fine(model, in_measure(samples, stage), start, face_ids=blade.registration_faces)
+    face_ids = [face.id for face in model.select(blade.registration_faces)]
+    fit = solve_fine(model, in_measure(samples, stage), start, face_ids=face_ids)
     flange_from_work = inverse(base_from_flange) @ base.base_from_measure @ fit.measure_from_work
     return FineOutcome(fit, flange_from_work, base_from_flange, judge_fine(fit, limits_of(blade)))
 

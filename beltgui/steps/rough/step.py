@@ -9,16 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from beltgui.steps.blocks import pose_block, verdict_block
 from beltgui.steps.context import Context
 from beltgui.steps.fine.step import in_measure, limits_of
-from beltgui.steps.rough.record import global_record
+from beltgui.steps.rough.record import automatic_record
 from beltgui.steps.scans import ScanSample, acquire_scans
 from core.ball import StageFit
 from core.cad import CadModel
 from core.cad.blade_type import BladeType
-from core.fine import judge_fine
-from core.rough import GlobalFit, register_globally
+from core.fine import FineFit, judge_fine, solve_fine
+from core.rough import GlobalFit, GlobalSettings, register_globally
 from core.verdict import Verdict
 from devices.interfaces import Mount
 
@@ -34,7 +33,7 @@ class RoughOutcome:
         verdict: Of that confirmation.
     """
 
-    fit: GlobalFit
+    fit: GlobalFit[FineFit]
     verdict: Verdict
 
     @property
@@ -61,8 +60,14 @@ def solve(samples: Sequence[ScanSample], stage: StageFit, model: CadModel, blade
     Raises:
         InputError: no pose was confirmed: this is not that blade, or too little of it was seen.
     """
+    face_ids = [face.id for face in model.select(blade.registration_faces)]
+
+    def confirm(cad: CadModel, scans: Sequence[Array], start: Array) -> FineFit:
+        return solve_fine(cad, scans, start, face_ids=face_ids)
+
+    settings = GlobalSettings(surface_mm=max(GlobalSettings.surface_mm, blade.stock_mm))
     points = np.concatenate(in_measure(samples, stage))
-    fit = register_globally(model, points, face_ids=blade.registration_faces)
+    fit = register_globally(model, points, confirm=confirm, settings=settings)
     return RoughOutcome(fit, judge_fine(fit.fine, limits_of(blade)))
 
 
@@ -73,8 +78,4 @@ def headline(outcome: RoughOutcome) -> str:
 
 def record(outcome: RoughOutcome) -> dict[str, Any]:
     """For the session and the report."""
-    return {
-        **global_record(outcome.fit, outcome.verdict),
-        "measure_from_work": pose_block(outcome.measure_from_work),
-        "verdict": verdict_block(outcome.verdict),
-    }
+    return automatic_record(outcome.fit, outcome.verdict)
