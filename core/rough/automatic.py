@@ -240,15 +240,16 @@ def _check_size(model: CadModel, points: Array) -> None:
 
 def _check_explains(model: CadModel, found: Agreement, settings: GlobalSettings) -> None:
     """Enough of the scan must lie on the model, and what is near it must lie on it."""
+    name = model.path.stem
     if found.on_surface < settings.min_on_surface:
-        raise FitError(f"{model.path.stem} was not found in the scan: the best pose puts {found.on_surface:.0%} of it "
-                       f"on the model, at least {settings.min_on_surface:.0%} is needed. Check the blade type, and scan edge "
+        raise FitError(f"{name} was not found in the scan: the best pose puts {found.on_surface:.0%} of it on the "
+                       f"model, at least {settings.min_on_surface:.0%} is needed. Check the blade type, and scan edge "
                        "plate and shroud with less of the fixture.", Code.WRONG_MODEL)
     if found.of_near < settings.min_of_near or found.of_parallel < settings.min_of_parallel:
-        raise FitError(f"The scan does not fit {model.path.stem}: in the best pose {found.of_near:.0%} of the points near "
-                       f"the model lie on it ({settings.min_of_near:.0%} is needed), and of those parallel to its faces "
-                       f"{found.of_parallel:.0%} ({settings.min_of_parallel:.0%} is needed). Check the blade type.",
-                       Code.WRONG_MODEL)
+        raise FitError(f"The scan does not fit {name}: in the best pose {found.of_near:.0%} of the points near the "
+                       f"model lie on it ({settings.min_of_near:.0%} is needed), and of those parallel to its "
+                       f"faces {found.of_parallel:.0%} ({settings.min_of_parallel:.0%} is needed). Check the blade "
+                       "type.", Code.WRONG_MODEL)
 
 
 def _check_unique(model: CadModel, candidates: Sequence[Candidate], settings: GlobalSettings) -> None:
