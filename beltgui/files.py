@@ -35,6 +35,8 @@ def check_input(path: str | os.PathLike[str], largest_bytes: int = 200_000_000) 
         InputError: it is missing, a folder, a device, empty, or larger than `largest_bytes`.
     """
     name = os.fspath(path)
+    if not name:
+        raise InputError("The name of an input file is empty.")
     try:
         status = os.stat(name)
     except (OSError, ValueError) as error:

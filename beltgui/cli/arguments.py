@@ -22,16 +22,17 @@ class Parser(argparse.ArgumentParser):
 
 
 def add_command(commands: Commands, name: str, summary: str, description: str,
-                run: Callable[..., dict[str, Any]]) -> argparse.ArgumentParser:
-    """A subcommand with the common options; `run(args, job)` returns its record."""
+                run: Callable[..., dict[str, Any] | int], *, writes_file: bool = True) -> argparse.ArgumentParser:
+    """A subcommand with the common options; `run(args, job)` returns its record, or an exit code if it has none."""
     parser: argparse.ArgumentParser = commands.add_parser(
         name, help=summary, description=description, allow_abbrev=False,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.set_defaults(run=run, command=name)
+    parser.set_defaults(run=run, command=name, out=None)
     common = parser.add_argument_group("output")
     common.add_argument("--json", action="store_true",
                         help="print one JSON object (the default when stdout is not a terminal)")
-    common.add_argument("--out", metavar="FILE", help="write the JSON to this file, whole or not at all")
+    if writes_file:
+        common.add_argument("--out", metavar="FILE", help="write the JSON to this file, whole or not at all")
     return parser
 
 

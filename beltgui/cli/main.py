@@ -15,7 +15,8 @@ from core.errors import FitError, InputError
 OK, REJECTED, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 
 # In the order of the work; each module adds its own arguments and imports the heavy packages only when it runs.
-COMMANDS = ("ball", "stage", "base", "rough", "faces", "fine", "stylus", "tool", "error_surface", "path")
+COMMANDS = ("ball", "stage", "base", "rough", "faces", "fine", "stylus", "tool", "error_surface", "path", "demo",
+            "replay", "gui")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -49,8 +50,10 @@ def _run(argv: list[str]) -> int:
         args = parser.parse_args(argv)
     except SystemExit as stop:  # --help and --version end here
         return int(stop.code or 0)
-    if args.out:
+    if args.out is not None:
         _check_out(args)
+    elif sys.stdout is None:
+        raise InputError("stdout is closed and there is no --out FILE: the result would have nowhere to go.")
     from beltgui.cli.job import Job
 
     job = Job()
@@ -60,25 +63,29 @@ def _run(argv: list[str]) -> int:
         # Readable data that do not determine the answer: a verdict without a result, and without a pose.
         print(f"beltcal: {_one_line(str(error))}", file=sys.stderr)
         record = {"verdict": {"ok": False, "reasons": [{"code": str(error.code), "message": str(error)}]}}
+    if isinstance(record, int):
+        return record
     return _deliver(record, args, job.inputs)
 
 
 def _deliver(record: dict[str, Any], args: Any, inputs: list[dict[str, str]]) -> int:
-    from beltgui.cli.output import as_json, as_table
+    from beltgui.cli.output import as_json, as_table, print_whole
     from beltgui.files import write_atomically
 
     whole = {"command": args.command, "software": __version__, "inputs": inputs, **record}
     text = as_json(whole)
-    if args.out:
+    if args.out is not None:
         write_atomically(args.out, text.encode())
-    sys.stdout.write(text if args.json or not sys.stdout.isatty() else as_table(whole))
-    sys.stdout.flush()
+    if sys.stdout is not None:
+        print_whole(text if args.json or not sys.stdout.isatty() else as_table(whole))
     return OK if record["verdict"]["ok"] else REJECTED
 
 
 def _check_out(args: Any) -> None:
     from beltgui.files import check_writable
 
+    if not args.out:
+        raise InputError("argument --out: the name is empty, expected a file name.")
     check_writable(args.out)
     target = os.path.realpath(args.out)
     named = [value for name, value in vars(args).items() if name not in ("out", "command", "run")]

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import sys
 from typing import Any
 
 from beltgui.steps.blocks import plain
+from core.errors import InputError
 
 _UNITS = {"_mm2": "mm²", "_mm": "mm", "_deg": "°", "_percent": "%", "_um": "µm", "_per_mm": "1/mm"}
 _LONGEST_TABLE = 60
@@ -13,7 +15,25 @@ _LONGEST_TABLE = 60
 
 def as_json(record: dict[str, Any]) -> str:
     """One JSON object without NaN or infinity (they become null)."""
-    return json.dumps(plain(record), indent=1, allow_nan=False, ensure_ascii=False) + "\n"
+    # ASCII only: it survives any locale, and file names that are no UTF-8.
+    return json.dumps(plain(record), indent=1, allow_nan=False) + "\n"
+
+
+def print_whole(text: str) -> None:
+    """Write to stdout at once, so that a full disk is noticed here; signs that a terminal lacks become `?`.
+
+    Raises:
+        InputError: stdout cannot take it.
+        BrokenPipeError: whoever read it has gone.
+    """
+    encoding = sys.stdout.encoding or "utf-8"
+    try:
+        sys.stdout.write(text.encode(encoding, "replace").decode(encoding))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise InputError(f"stdout: the result cannot be written: {error.strerror}.") from error
 
 
 def as_table(record: dict[str, Any]) -> str:

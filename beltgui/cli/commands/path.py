@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 DESCRIPTION = """JOB.toml names the STEP file, its airfoil face, the calibration results, the pattern and the program to
 write (docs/steps/path.md lists the keys). Relative names start from the folder of JOB.toml."""
 
+# What may be a result file of another command; each is read strictly before the planning looks for fields in it.
+RESULT_KEYS = ("error_surface", "base_from_tool", "flange_from_work", "base_from_flange_at_scan", "base_from_measure",
+               "measure_from_work")
+
 
 def add(commands: Commands) -> None:
     """Declare the command."""
@@ -26,13 +30,16 @@ def add(commands: Commands) -> None:
 
 def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
     """Read, plan, write the program and read it back."""
-    from beltgui.cli.fields import read_toml
+    from beltgui.cli.fields import read_json, read_toml
     from beltgui.files import check_writable
     from beltgui.steps.error_surface.path_record import record
     from core.path import path_job_from_dict, plan_path
 
     root = read_toml(args.job)
     job.reads(args.job)
+    for name in RESULT_KEYS:
+        if isinstance(root.value.get(name), str):
+            read_json(str(Path(args.job).parent / root.key(name).text()))
     with job.about(args.job):
         order = path_job_from_dict(root.value, Path(args.job).parent)
         if order.program is not None:

@@ -1,0 +1,51 @@
+"""`beltcal demo`: a simulated cell is commissioned and held against its truth."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from beltgui.cli.arguments import Commands, add_command, whole_number
+
+if TYPE_CHECKING:
+    from beltgui.cli.job import Job
+
+DESCRIPTION = """Commissions the simulated cell from nothing and writes session, robot programs and a report (HTML) to a
+folder; the JSON holds truth against estimate per step."""
+
+
+def add(commands: Commands) -> None:
+    """Declare the command."""
+    parser = add_command(commands, "demo", "the whole commissioning in the simulated cell", DESCRIPTION, run,
+                         writes_file=False)
+    parser.add_argument("--seed", type=whole_number, default=0, help="everything left to chance follows from it")
+    parser.add_argument("--out", metavar="DIR", dest="folder", default="beltcal_demo",
+                        help="folder for the results (default beltcal_demo)")
+
+
+def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
+    """Run, report progress, sum up."""
+    from beltgui.cli.progress import told_on_stderr
+    from beltgui.demo import run_demo
+    from beltgui.steps.blocks import plain
+
+    folder = Path(args.folder)
+    with job.about(args.folder):
+        result = run_demo(folder, seed=args.seed, job=told_on_stderr(job))
+    reasons = [] if result.accepted else [{"code": "OUTSIDE_LIMITS", "message": result.headline}]
+    proof = result.proof
+    return {
+        "verdict": {"ok": result.accepted, "reasons": reasons},
+        "seed": args.seed,
+        "headline": result.headline,
+        "session": str(result.session),
+        "report": str(result.report),
+        "programs": [str(path) for path in result.programs],
+        "steps": [{"step": step, "ok": verdict.ok} for step, verdict in result.found.verdicts.items()],
+        "truth_against_estimate": [{"step": row.step, "quantity": row.quantity, "truth": row.truth,
+                                    "estimate": row.estimate, "error": row.error} for row in result.rows],
+        "left_on_airfoil": proof and {"nominal_rms_mm": plain(proof.nominal_rms_mm),
+                                      "compensated_rms_mm": plain(proof.compensated_rms_mm),
+                                      "compensated_worst_mm": plain(proof.compensated_worst_mm)},
+    }
