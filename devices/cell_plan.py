@@ -47,7 +47,7 @@ class StagePlan:
 
 @dataclass(frozen=True, eq=False)
 class RobotPlan:
-    """The robot: where it starts and where it looks for a way when a pose is far away."""
+    """The robot: where it stands at first, and its speeds."""
 
     home_rad: Array
     speed_mm_s: float

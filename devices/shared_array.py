@@ -26,7 +26,7 @@ class SharedArray:
     """Where an array lies in shared memory.
 
     The one who receives it for good calls `unlink`; everybody else only attaches. The maker may end its process
-    before: the memory lives until it is unlinked.
+    before: the memory lives until it is unlinked (POSIX shared memory; Windows frees it with the last open handle).
 
     Attributes:
         name: Name of the shared memory block.

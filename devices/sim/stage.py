@@ -95,15 +95,16 @@ class SimulatedStage:
                 if passed > deadline_s:
                     raise DeadlineExceeded(_NAME, f"not at its target within {deadline_s:g} s, stopped.")
                 world.clock.wait(min(_TICK_S, duration - passed + 1e-6))
-            self._place(end)
+            self._place(end, settled=True)
         finally:
             self._moving = False
 
-    def _place(self, values: Array) -> None:
-        settings, rng = self._world.settings.stage, self._world.rng(_NAME)
-        noise = rng.normal(0.0, 1.0, 4) * np.array(
-            [settings.repeatability_mm] * 3 + [np.deg2rad(settings.repeatability_deg)]
-        )
+    def _place(self, values: Array, *, settled: bool = False) -> None:
+        noise = np.zeros(4)
+        if settled:  # drawn once per move: how often the clock ticked on the way must not change what follows
+            settings = self._world.settings.stage
+            size = [settings.repeatability_mm] * 3 + [np.deg2rad(settings.repeatability_deg)]
+            noise = self._world.rng(_NAME).normal(0.0, 1.0, 4) * size
         self._reported = _position(values)
         self._world.stage_position = _position(values + noise)
 
