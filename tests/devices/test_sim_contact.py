@@ -95,6 +95,17 @@ def test_a_perfect_airfoil_on_a_perfect_robot_leaves_nothing(quiet: Build, grind
 
 
 @pytest.mark.parametrize("grinder", GRINDERS)
+def test_moving_the_contact_outward_by_the_error_brings_the_wheel_back(quiet: Build, grinder: str) -> None:
+    simulated = with_blade(quiet(seed=3))
+    left = []
+    for u, v in ((0.06, 0.1), (0.3, 0.25), (0.52, 0.6), (0.8, 0.9)):
+        error = simulated.world.true_normal_error(grinder, presenting(simulated, grinder, u, v))
+        left.append(simulated.world.true_normal_error(grinder, presenting(simulated, grinder, u, v, error)))
+        assert abs(error) > 0.1
+    assert np.abs(left).max() < 1e-3
+
+
+@pytest.mark.parametrize("grinder", GRINDERS)
 def test_the_whole_profile_can_be_presented(quiet: Build, grinder: str) -> None:
     simulated = with_blade(quiet(seed=2))
     robot = simulated.cell.robot
