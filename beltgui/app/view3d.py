@@ -59,6 +59,9 @@ class PictureView(QLabel):
         super().__init__(parent)
         import pyvista
 
+        from beltgui.report.scenes import prepare_rendering
+
+        prepare_rendering()
         self.plotter = pyvista.Plotter(off_screen=True)
         self.plotter.set_background(BACKGROUND)
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -11,7 +11,7 @@ STYLE = """
 :root { --ink: #212529; --soft: #6c757d; --line: #dee2e6; --ok: #146c43; --bad: #b02a37; }
 * { box-sizing: border-box; }
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: var(--ink); background: #f4f5f6; margin: 0; }
-main { max-width: 1100px; margin: 0 auto; padding: 24px; background: white; }
+main { max-width: 1240px; margin: 0 auto; padding: 24px; background: white; }
 h1 { margin: 0 0 4px; font-size: 26px; } h2 { margin: 36px 0 8px; font-size: 20px; }
 .lead { color: var(--soft); margin: 0 0 16px; }
 .verdict { padding: 12px 16px; color: white; border-radius: 4px; font-weight: 600; }
@@ -22,6 +22,7 @@ h1 { margin: 0 0 4px; font-size: 26px; } h2 { margin: 36px 0 8px; font-size: 20p
 table { border-collapse: collapse; margin: 12px 0; width: 100%; }
 th, td { text-align: left; padding: 5px 10px; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { border-bottom: 2px solid var(--ink); font-weight: 600; }
+td.vector { white-space: nowrap; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 figure { margin: 16px 0; } figure img { max-width: 100%; border: 1px solid var(--line); }
 figcaption { color: var(--soft); font-size: 14px; }
@@ -105,6 +106,8 @@ def _table(table: Table) -> str:
 
 def _cell(text: str) -> str:
     kind = ' class="number"' if _is_number(text) else ""
+    if text.startswith("("):
+        kind = ' class="vector"'
     if text in ("accepted", "rejected"):
         kind = ' class="ok"' if text == "accepted" else ' class="bad"'
     return f"<td{kind}>{escape(text)}</td>"
