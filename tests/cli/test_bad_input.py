@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from beltgui.cli.main import main
 from tests.cli import sessions
 from tests.cloud_files import ply_bytes
 
@@ -33,7 +34,7 @@ def refused(run, name, *patterns):
     assert message.startswith("beltcal: ")
     assert name in message
     assert len(message) < 500
-    assert message.rstrip().endswith((".", "}"))
+    assert message.rstrip().endswith((".", "?", "}"))
     for pattern in patterns:
         assert pattern in message, message
 
@@ -294,6 +295,121 @@ def test_files_that_are_none(tmp_path, beltcal, monkeypatch, command, kind):
     before = sorted(os.listdir())
     refused(beltcal(*words, "--out", "out.json"), name)
     assert sorted(os.listdir()) == before
+
+
+START = {"matrix": sessions.MEASURE_FROM_WORK.tolist()}
+FINE = [
+    ({"matrix": START["matrix"][:3]}, [], "start.json", "4x4"),
+    ({"pose": START["matrix"]}, [], "start.json", "matrix"),
+    ({"measure_from_work": 5}, [], "start.json", "measure_from_work"),
+    ({"matrix": np.diag([1.0, 1, -1, 1]).tolist()}, [], "start.json", "left-handed"),
+    (START, ["--faces", "99"], "dr95.step", "99"),
+    (START, ["--faces", "S2,,S3"], "--faces", "S2,,S3"),
+    (START, ["--faces", "S2,S2"], "dr95.step", "twice"),
+    (START, ["--faces", ""], "--faces", "''"),
+    (START, ["--scan", "scan.ply"], "scan.ply", "twice"),
+    (START, ["--scan", "none.ply"], "none.ply", "No such file"),
+    (START, ["--limits", "start.json"], "start.json", "TOML"),
+]
+
+
+@pytest.mark.parametrize("number", range(len(FINE)))
+def test_spoilt_fine(tmp_path, beltcal, monkeypatch, number):
+    start, words, name, pattern = FINE[number]
+    good_files(tmp_path)
+    sessions.save(tmp_path / "start.json", start)
+    monkeypatch.chdir(tmp_path)
+    before = sorted(os.listdir())
+    refused(beltcal("fine", "--cad", STEP, "--scan", "scan.ply", "--start", "start.json", "--out", "out.json", *words),
+            name, pattern)
+    assert sorted(os.listdir()) == before
+
+
+CLOUDS = {
+    "metres": lambda p: ply_bytes(p / 1000, "ascii"),
+    "cut": lambda p: ply_bytes(p, "binary_little_endian")[:-10],
+    "nothing": lambda p: ply_bytes(0 * p, "ascii"),
+    "no_z": lambda p: ply_bytes(p, "ascii").replace(b"float z", b"float w"),
+    "nan": lambda p: ply_bytes(p * np.nan, "ascii"),
+    "garbage": lambda p: np.random.default_rng(0).bytes(4000),
+}
+
+
+@pytest.mark.parametrize("kind", CLOUDS)
+@pytest.mark.parametrize("command", ["ball", "rough", "fine"])
+def test_spoilt_clouds(tmp_path, beltcal, monkeypatch, command, kind):
+    (tmp_path / "bad.ply").write_bytes(CLOUDS[kind](sessions.ball_scan(n=800)))
+    sessions.save(tmp_path / "start.json", START)
+    monkeypatch.chdir(tmp_path)
+    words = {"ball": ["bad.ply"], "rough": ["--auto", "--cad", STEP, "--scan", "bad.ply"],
+             "fine": ["--cad", STEP, "--scan", "bad.ply", "--start", "start.json"]}[command]
+    refused(beltcal(command, *words, "--out", "out.json"), "bad.ply")
+    assert sorted(os.listdir()) == ["bad.ply", "start.json"]
+
+
+PATH = [
+    ('cad = "none.step"', "none.step"),
+    ('airfoil = "S2"', "S2"),
+    ("airfoil = 999", "999"),
+    ("wheel_radius_mm = -5", "wheel_radius_mm"),
+    ("contact_side = 3", "contact_side"),
+    ("v_range = [0.0, 1.0]", "measured"),
+    ("u_range = [0.8, 0.2]", "u_range"),
+    ("count = 0", "count"),
+    ("step_mm = nan", "step_mm"),
+    ('error_surface = "tool.json"', "Error surface"),
+    ('base_from_tool = "nested.json"', "nested.json"),
+    ('base_from_tool = "digits.json"', "digits.json"),
+    ('program = "no/folder.script"', "no"),
+    ('program = "job.toml"', "program"),
+    ('program = "surface.json"', "program"),
+    ('program = "out.json"', "program"),
+    ("speed_mm_s = 900", "speed_mm_s"),
+    ("spead_mm_s = 10", "speed_mm_s"),
+]
+
+
+@pytest.fixture(scope="module")
+def path_folder(tmp_path_factory):
+    """A good path job, with a surface made by the command itself."""
+    folder = tmp_path_factory.mktemp("path")
+    sessions.path_job(folder, STEP)
+    assert main(["error-surface", str(folder / "samples.csv"), "--out", str(folder / "surface.json")]) == 0
+    (folder / "nested.json").write_text("[" * 100_000)
+    (folder / "digits.json").write_text('{"a": ' + "9" * 5000 + "}")
+    return folder
+
+
+@pytest.mark.parametrize("number", range(len(PATH)))
+def test_spoilt_path_job(path_folder, beltcal, monkeypatch, number):
+    line, pattern = PATH[number]
+    monkeypatch.chdir(path_folder)
+    key = line.split("=")[0]
+    good = (path_folder / "job.toml").read_text()
+    kept = [row for row in good.splitlines() if not row.startswith(key)]
+    before = sorted(os.listdir())
+    (path_folder / "job.toml").write_text("\n".join([*kept, line]))
+    try:
+        refused(beltcal("path", "--job", "job.toml", "--out", "out.json"), "", pattern)
+    finally:
+        (path_folder / "job.toml").write_text(good)
+    assert sorted(os.listdir()) == before
+
+
+def test_replay_of_no_session(tmp_path, beltcal):
+    refused(beltcal("replay", tmp_path / "none"), "none", "no such folder")
+    refused(beltcal("replay", tmp_path), str(tmp_path))
+    (tmp_path / "session.db").write_bytes(b"no database at all" * 100)
+    refused(beltcal("replay", tmp_path), str(tmp_path), "database")
+
+
+def test_demo_into_a_file(tmp_path, beltcal):
+    (tmp_path / "taken").write_text("")
+    refused(beltcal("demo", "--out", tmp_path / "taken"), "taken")
+
+
+def test_gui_without_its_cell_file(tmp_path, beltcal):
+    refused(beltcal("gui", "--sim", "--config", tmp_path / "none.toml"), "none.toml")
 
 
 def test_out_is_checked_before_the_work(tmp_path, beltcal):

@@ -16,6 +16,7 @@ from tests.cli import sessions
 from tests.cloud_files import ply_bytes, text_bytes, write
 
 ROOT = Path(__file__).parents[2]
+STEP = ROOT / "resources/blades/dr95.step"
 
 
 def angle_between(a, b):
@@ -134,8 +135,39 @@ def test_rough_from_pairs(tmp_path, beltcal):
     assert np.array(run.record["residuals_mm"]).shape == (5, 3)
 
 
+@pytest.fixture(scope="module")
+def blade_scan(tmp_path_factory):
+    return write(tmp_path_factory.mktemp("scan") / "blade.ply",
+                 ply_bytes(sessions.blade_points(STEP, 20_000), "binary_little_endian"))
+
+
+def test_rough_automatic(blade_scan, beltcal):
+    run = beltcal("rough", "--auto", "--cad", STEP, "--scan", blade_scan)
+    assert run.code == 0
+    check_pose(run.record["measure_from_work"], sessions.MEASURE_FROM_WORK, mm=0.05, rad=5e-4)
+    assert run.record["residuals_mm"]
+
+
+def test_fine_with_faces_by_name_and_id(blade_scan, tmp_path, beltcal):
+    start = sessions.MEASURE_FROM_WORK.copy()
+    start[:3, :3] = start[:3, :3] @ sessions.turn("XYZ", 1.0, -0.8, 0.6)
+    start[:3, 3] += [1.2, -0.8, 0.9]
+    pose = sessions.save(tmp_path / "start.json", {"measure_from_work": {"matrix": start.tolist()},
+                                                   "verdict": {"ok": False, "reasons": []}})
+    run = beltcal("fine", "--cad", STEP, "--scan", blade_scan, "--start", pose, "--faces", "S2,21,S4,S5,S6")
+    record = run.record
+    assert run.code == 0
+    assert "rejected" in run.err
+    # 0.03 mm over some thousand points: micrometres at the centre, 20 µrad about it, times 320 mm to the origin.
+    check_pose(record["measure_from_work"], sessions.MEASURE_FROM_WORK, mm=0.05, rad=2e-4)
+    assert {face["name"] for face in record["faces"]} == {"S2", "S3", "S4", "S5", "S6"}
+    assert all(face["points"] > 50 and face["type"] in ("plane", "cylinder") for face in record["faces"])
+    assert 0.027 < record["rms_mm"] < 0.034
+    assert record["iterations"] >= 1
+
+
 def test_faces(beltcal):
-    run = beltcal("faces", ROOT / "resources/blades/dr95.step")
+    run = beltcal("faces", STEP)
     assert run.code == 0
     faces = run.record["faces"]
     assert [face["id"] for face in faces] == list(range(1, len(faces) + 1))
@@ -189,7 +221,7 @@ def test_error_surface_from_head_angles(tmp_path, beltcal):
 
 
 def test_path(tmp_path, beltcal):
-    job = sessions.path_job(tmp_path, ROOT / "resources/blades/dr95.step")
+    job = sessions.path_job(tmp_path, STEP)
     surface = tmp_path / "surface.json"
     assert beltcal("error-surface", tmp_path / "samples.csv", "--out", surface).code == 0
     run = beltcal("path", "--job", job, "--out", tmp_path / "path.json")
@@ -216,7 +248,8 @@ def test_path(tmp_path, beltcal):
     assert record["program"]["sha256"] == hashlib.sha256(program.read_bytes()).hexdigest()
     moves = re.findall(r"movel\(p\[([^]]+)\]", program.read_text())
     first = np.array([float(word) for word in moves[1].split(",")])
-    np.testing.assert_allclose(first[:3] * 1000, np.array(record["strokes"][0]["base_from_flange"])[0][:3, 3], atol=1e-3)
+    planned = np.array(record["strokes"][0]["base_from_flange"])[0]
+    np.testing.assert_allclose(first[:3] * 1000, planned[:3, 3], atol=1e-3)
     assert {Path(entry["path"]).name for entry in record["inputs"]} == {"job.toml", "surface.json", "tool.json",
                                                                         "dr95.step"}
 

@@ -29,10 +29,15 @@ def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
     from beltgui.cli.progress import told_on_stderr
     from beltgui.demo import run_demo
     from beltgui.steps.blocks import plain
+    from core.errors import InputError
+    from devices.interfaces.errors import DeviceError
 
     folder = Path(args.folder)
-    with job.about(args.folder):
-        result = run_demo(folder, seed=args.seed, job=told_on_stderr(job))
+    try:
+        with job.about(args.folder):
+            result = run_demo(folder, seed=args.seed, job=told_on_stderr(job))
+    except DeviceError as error:
+        raise InputError(f"{args.folder}: {error}") from error
     reasons = [] if result.accepted else [{"code": "OUTSIDE_LIMITS", "message": result.headline}]
     proof = result.proof
     return {
