@@ -266,7 +266,7 @@ def read_sampler(path: Path) -> Sampler:
 
 def simulate(sampler: Sampler, rng: np.random.Generator, count: int, *, outliers: float = 0.3, views: int = 2,
              faces: tuple[int, ...] | None = None, turn_deg: float = 2.5, shift_mm: float = 3.0,
-             clutter: bool = False) -> Scene:
+             clutter: bool = False, all_round: bool = False) -> Scene:
     """A scan with fixture, ghosts and clutter and a start that is off.
 
     Args:
@@ -278,12 +278,15 @@ def simulate(sampler: Sampler, rng: np.random.Generator, count: int, *, outliers
         faces: Only these faces are seen.
         turn_deg: Rotation error of the start about the middle of the blade.
         shift_mm: Translation error of the start.
-        clutter: Boxes of clutter and a sheet parallel to a face close to the blade.
+        clutter: A block of clutter on the blade.
+        all_round: The scanner sees the blade from six sides.
     """
     low, high = sampler.corners.min(axis=(0, 1)), sampler.corners.max(axis=(0, 1))
     directions = rng.normal(size=(1, 3)) * [1, 1, 0.4]
     directions = np.vstack([directions] + [directions * -0.4 + rng.normal(size=3) * [1, 1, 0.5] for _ in range(views - 1)])
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    if all_round:
+        directions = np.vstack([np.eye(3), -np.eye(3)])
     true = int(count * (1.0 - outliers))
     points, normals, face = sampler.draw(rng, true, directions, faces)
     strangers = _strangers(sampler, rng, count - true, directions, points, normals, low, high, clutter)

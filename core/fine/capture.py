@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.cad import CadModel
 from core.fine.boxes import Target, distances, gather
-from core.fine.coarse import ModelSamples, ThinScan, align, sample_model, score, thin_scan
+from core.fine.coarse import ModelSamples, ThinScan, align, sample_model, score, surface_share, thin_scan
 from core.fine.moments import accumulate, solve_moments
 from core.fine.noise import shortest_half_sigma
 from core.fine.settings import FineSettings
@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 TESSELLATION_MM = 0.03
 NEAR_MM = 2.0
+SURFACE_REACH_MM = 6.0
+_ENOUGH = 30
 _LEAST_STARTS, _MOST_STARTS = 3, 14
 _EXPLORING_POINTS = 800
 _LEAST_THIN_POINTS = 20
@@ -46,6 +48,7 @@ class Capture:
         on: How many of them lie on the faces.
         near_by_face: (F,) the same per target.
         on_by_face: (F,) the same per target.
+        surface_share: Share of the scanned surface within 6 mm of the faces that lies on them.
     """
 
     measure_from_work: Array
@@ -54,6 +57,17 @@ class Capture:
     on: int
     near_by_face: NDArray[np.int64]
     on_by_face: NDArray[np.int64]
+    surface_share: float = 0.0
+
+    @property
+    def agreeing(self) -> int:
+        """Faces on which most of the points beside them lie."""
+        return int(np.count_nonzero((self.near_by_face >= _ENOUGH) & (2 * self.on_by_face >= self.near_by_face)))
+
+    @property
+    def contradicting(self) -> int:
+        """Faces beside which there are points, most of them not on the face."""
+        return int(np.count_nonzero((self.near_by_face >= _ENOUGH) & (2 * self.on_by_face < self.near_by_face)))
 
     @property
     def share(self) -> float:
@@ -83,7 +97,10 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
     medium = points
     if len(points) > settings.medium_points:
         medium = points[rng.choice(len(points), settings.medium_points, replace=False)]
-    return tighten(targets, medium, pose, settings)
+    tight = tighten(targets, medium, pose, settings)
+    if tight is None:
+        return None
+    return replace(tight, surface_share=surface_share(samples, thin, tight.measure_from_work, SURFACE_REACH_MM))
 
 
 def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: Array,

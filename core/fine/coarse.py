@@ -30,6 +30,7 @@ _KERNEL_START_MM, _KERNEL_END_MM, _KERNEL_SHRINK = 4.0, 0.12, 0.68
 _OTHER_FACES_END = 0.02
 _RIDGE = 1e-6
 _ON_MM = 0.2
+_SURFACE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,6 +150,22 @@ def score(samples: ModelSamples, scan: ThinScan, pose: Array) -> float:
     on = (np.abs(d) < _ON_MM) & (beside < (2.5 * samples.spacing_mm) ** 2)
     on &= np.abs(np.einsum("ij,ij->i", normals, scan.normals[at])) > 0.85
     return float(np.where(samples.chosen[hit], 1.0, 0.5)[on] @ scan.flatness[at][on])
+
+
+def surface_share(samples: ModelSamples, scan: ThinScan, pose: Array, reach_mm: float) -> float:
+    """Share of the thinned surface points near the chosen faces that lie on them; 0 without any.
+
+    Ghosts and stray points have no flat neighbourhood and don't count; surfaces of another blade, or of this one in
+    another place, do.
+    """
+    nearest, found = _match(samples, scan, pose, reach_mm)
+    at = np.flatnonzero(found & (scan.flatness > _SURFACE))
+    at = at[samples.chosen[nearest[at]]]
+    if len(at) == 0:
+        return 0.0
+    offset = scan.points[at] - transform_points(pose, samples.points[nearest[at]])
+    d = np.einsum("ij,ij->i", offset, rotate(pose, samples.normals[nearest[at]]))
+    return float(np.mean(np.abs(d) < _ON_MM))
 
 
 def align(samples: ModelSamples, scan: ThinScan, start: Array, reach_mm: float, *,

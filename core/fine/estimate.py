@@ -28,6 +28,8 @@ _CLEAN_RIM_SHARE = 0.03
 # ... and its mean agrees with that of the inner part within this many standard errors.
 _RIM_AGREES = 4.0
 _PASSES_BEFORE_FROZEN = 3
+# The noise is estimated anew in these passes and then kept, so that the pose can settle.
+_PASSES_WITH_NOISE = 8
 _STRANGERS_RULE = 0.6
 # Squared Mahalanobis length of a step that no longer matters.
 _CONVERGED = 1e-5
@@ -206,10 +208,11 @@ def _weighted(face: FaceFit, pooled: Mixture, pose: Array, centre: Array, settin
     if not face.used:
         return face
     d = face.distances_mm
-    mixture = _noise_of(d[~face.rim], pooled, settings)
-    known = settings.sigma_mm or mixture.sigma_mm
-    rim_mixture = _noise_of(d[face.rim], replace(pooled, sigma_mm=known), settings, known)
-    rim_used = face.rim_used
+    mixture, rim_mixture, rim_used = face.mixture, face.rim_mixture, face.rim_used
+    if number <= _PASSES_WITH_NOISE:
+        mixture = _noise_of(d[~face.rim], pooled, settings)
+        known = settings.sigma_mm or mixture.sigma_mm
+        rim_mixture = _noise_of(d[face.rim], replace(pooled, sigma_mm=known), settings, known)
     if number <= _PASSES_BEFORE_FROZEN:
         rim_used = _is_clean(rim_mixture, mixture)
     weights = np.zeros(len(d))
