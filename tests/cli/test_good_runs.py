@@ -138,7 +138,7 @@ def test_rough_from_pairs(tmp_path, beltcal):
 @pytest.fixture(scope="module")
 def blade_scan(tmp_path_factory):
     return write(tmp_path_factory.mktemp("scan") / "blade.ply",
-                 ply_bytes(sessions.blade_points(STEP, 20_000), "binary_little_endian"))
+                 ply_bytes(sessions.blade_points(STEP, 12_000), "binary_little_endian"))
 
 
 def test_rough_automatic(blade_scan, beltcal):
