@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from beltgui.jobs import Job
+from beltgui.jobs import Cancelled, Job
 from beltgui.steps.ball import step as ball
 from beltgui.steps.base import step as base
 from beltgui.steps.error_surface import step as error_surface
@@ -118,6 +118,9 @@ class Commissioner:
             self.job.report(BEGINS[name], TITLES[name])
             try:
                 record, headline = step(found)
+            except Cancelled:
+                self.on_step(StepEvent(name, StepState.NOT_STARTED, "cancelled"))
+                raise
             except Exception as error:
                 self.on_step(StepEvent(name, StepState.FAILED, str(error)))
                 raise

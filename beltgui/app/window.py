@@ -174,13 +174,8 @@ class MainWindow(QMainWindow):
 
 def load_blade(blade_type: str) -> Any:
     """The blade as a pyvista mesh (mm, {W}), tessellated from its STEP file."""
-    import numpy as np
-    import pyvista
-
+    from beltgui.report.scenes import blade_mesh
+    from core.cad import read_step
     from core.cad.blade_type import read_blade_type
-    from core.cad.step_reader import read_step
 
-    model = read_step(read_blade_type(blade_type_path(blade_type)).step)
-    mesh = model.tessellate(deflection_mm=0.05)
-    faces = np.column_stack([np.full(len(mesh.triangles), 3), mesh.triangles]).ravel()
-    return pyvista.PolyData(mesh.vertices, faces)
+    return blade_mesh(read_step(read_blade_type(blade_type_path(blade_type)).step_path))

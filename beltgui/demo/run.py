@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -64,6 +64,7 @@ def run_demo(
     seed: int = 0,
     config: Path | None = None,
     resolution: int | str = "demo",
+    grid: tuple[int, int] | None = None,
     faults: Callable[[str, Any], None] | None = None,
     job: Job | None = None,
     on_step: Callable[[StepEvent], None] | None = None,
@@ -76,6 +77,7 @@ def run_demo(
         seed: Everything left to chance follows from it.
         config: Cell file; None takes the simulated cell's own.
         resolution: Of the simulated scanner, see `build_simulated_cell`.
+        grid: Probing points in u and v; None takes the blade type's own.
         faults: Called with a step's name and the world's faults when the step begins.
         job: Progress and cancel.
         on_step: Told when a step changes its state.
@@ -89,6 +91,8 @@ def run_demo(
 
     work = job or Job()
     blade = read_blade_type(blade_type_path(blade_type))
+    if grid is not None:
+        blade = replace(blade, probing=replace(blade.probing, u_count=grid[0], v_count=grid[1]))
     cell_file = config or resource_path("cells", "simulated.toml")
     model = read_step(blade.step_path)
     simulated = build_simulated_cell(cell_file, blade.step_path, seed=seed, resolution=resolution)
