@@ -54,8 +54,8 @@ class GlobalSettings:
     """
 
     surface_mm: float = 0.3
-    min_on_surface: float = 0.22
-    min_of_near: float = 0.6
+    min_on_surface: float = 0.3
+    min_of_near: float = 0.65
     min_of_parallel: float = 0.88
     least_difference: float = 0.015
     same_rad: float = 0.03

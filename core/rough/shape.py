@@ -15,6 +15,8 @@ RANDOM_SHARE = 300_000
 # Thinned scan: one point (the mean) per cube of this side, more where that leaves too many.
 CUBE_MM = 1.0
 MOST_POINTS = 20_000
+# Larger cubes for a thin scan, until a stray point, alone in its cube, can be told from a surface.
+USUAL_COUNT, LARGEST_CUBE_MM = 5, 2.0
 NEIGHBOURS = 18
 # A cube with less than this share of the points that the cube of a typical point holds is taken for stray.
 STRAY_SHARE = 0.35
@@ -52,10 +54,10 @@ def scan_shape(points: Array, rng: np.random.Generator) -> Shape:
     if len(points) > RANDOM_SHARE:
         points = points[rng.choice(len(points), RANDOM_SHARE, replace=False)]
     cube = CUBE_MM
-    thin = _thinned(points, cube)
-    while len(thin) > MOST_POINTS:
-        cube *= 1.3
-        thin = _thinned(points, cube)
+    thin, usual = _thinned(points, cube)
+    while len(thin) > MOST_POINTS or (usual < USUAL_COUNT and cube < LARGEST_CUBE_MM):
+        cube *= 1.25
+        thin, usual = _thinned(points, cube)
     reach = np.asarray(KDTree(thin).query(thin, k=[min(NEIGHBOURS // 2, len(thin))])[0])[:, 0]
     thin = thin[reach < STRAY_REACH * np.median(reach)]
     tree = KDTree(thin)
@@ -67,15 +69,15 @@ def scan_shape(points: Array, rng: np.random.Generator) -> Shape:
     return Shape(thin, np.asarray(vectors[:, :, 0]), np.asarray(flat), tree)
 
 
-def _thinned(points: Array, cube_mm: float) -> Array:
-    """Mean point of every cube that holds about as many points as a surface does; fewer are stray points."""
+def _thinned(points: Array, cube_mm: float) -> tuple[Array, float]:
+    """Mean point of every cube that holds about as many points as a surface does (fewer are stray), and that number."""
     cells = np.floor((points - points.min(axis=0)) / cube_mm).astype(np.int64)
     span = cells.max(axis=0) + 1
     key = (cells[:, 0] * span[1] + cells[:, 1]) * span[2] + cells[:, 2]
     _, inverse, counts = np.unique(key, return_inverse=True, return_counts=True)
     sums = np.stack([np.bincount(inverse, weights=points[:, k]) for k in range(3)], axis=1)
-    usual = np.median(counts[inverse])
-    return np.asarray((sums / counts[:, None])[counts >= STRAY_SHARE * usual])
+    usual = float(np.median(counts[inverse]))
+    return np.asarray((sums / counts[:, None])[counts >= STRAY_SHARE * usual]), usual
 
 
 def mesh_shape(vertices: Array, triangles: NDArray[np.int64], spacing_mm: float, rng: np.random.Generator) -> Shape:
