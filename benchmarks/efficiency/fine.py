@@ -20,11 +20,11 @@ FACES = ("S2", "S3", "S4", "S5", "S6")
 
 
 def cases() -> list[Case]:
-    known = FineSettings(sigma_mm=SIGMA_MM)
+    """Starts 0.1 degrees and 0.2 mm off, without the search, so that 300 runs take a minute or two."""
+    known, unknown = FineSettings(sigma_mm=SIGMA_MM, search=False), FineSettings(search=False)
     return [
         Case("fine, all faces, 30 % strangers, known noise", 6, lambda rng: _trial(rng, known, 0.3, ())),
-        Case("fine, S2 to S6, no strangers, known noise", 6, lambda rng: _trial(rng, known, 0.0, FACES)),
-        Case("fine, S2 to S6, 30 % strangers, noise estimated", 6, lambda rng: _trial(rng, FineSettings(), 0.3, FACES)),
+        Case("fine, S2 to S6, 30 % strangers, noise estimated", 6, lambda rng: _trial(rng, unknown, 0.3, FACES)),
     ]
 
 
@@ -38,7 +38,7 @@ def _trial(rng: np.random.Generator, settings: FineSettings, outliers: float, na
     model, sampler = _blade()
     ids = tuple(model.face(name).id for name in names)
     scene = simulate(sampler, rng, POINTS, outliers=outliers, views=6 if names else 4, faces=ids or None,
-                     all_round=bool(names))
+                     all_round=bool(names), turn_deg=0.1, shift_mm=0.2)
     fit = solve_fine(model, [scene.points], scene.start, face_ids=ids or None,
                      settings=replace(settings, seed=int(rng.integers(1 << 30))))
     covariance = fit.covariance.moved_to(scene.about)

@@ -91,8 +91,10 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
     thin = thin_scan(points, samples, start, settings.coarse_points, settings.capture_mm, settings.seed)
     if len(thin.points) < _LEAST_THIN_POINTS:
         return None
-    pose = _best_coarse(samples, thin, model, start, settings)
-    pose = _without_slide(samples, thin, targets, pose, settings)
+    pose = start
+    if settings.search:
+        pose = _best_coarse(samples, thin, model, start, settings)
+        pose = _without_slide(samples, thin, targets, pose, settings)
     rng = np.random.default_rng(settings.seed)
     medium = points
     if len(points) > settings.medium_points:

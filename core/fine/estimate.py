@@ -21,8 +21,9 @@ from core.verdict import Code
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-# Below this many points a face borrows the noise of all faces.
+# Below this many points a face borrows the scatter of all faces.
 OWN_NOISE_POINTS = 400
+_OWN_SHARES_POINTS = 30
 # The border of a face is used while at most this share of its points within three sigmas are strangers ...
 _CLEAN_RIM_SHARE = 0.03
 # ... and its mean agrees with that of the inner part within this many standard errors.
@@ -32,7 +33,7 @@ _PASSES_BEFORE_FROZEN = 3
 _PASSES_WITH_NOISE = 8
 _STRANGERS_RULE = 0.6
 # Squared Mahalanobis length of a step that no longer matters.
-_CONVERGED = 1e-5
+_CONVERGED = 1e-4
 # A face is at odds with the others beyond this many standard errors and more than this many sigmas.
 _AT_ODDS_ERRORS, _AT_ODDS_SIGMAS = 6.0, 1.5
 _AT_ODDS_LEAST_MM = 0.03
@@ -228,9 +229,11 @@ def _weighted(face: FaceFit, pooled: Mixture, pose: Array, centre: Array, settin
 
 
 def _noise_of(d: Array, pooled: Mixture, settings: FineSettings, known: float | None = None) -> Mixture:
-    """Mixture of one zone; a small one borrows the shares of all faces."""
+    """Mixture of one zone; a small one borrows the scatter of all faces, a tiny one the shares of strangers too."""
     if len(d) >= OWN_NOISE_POINTS:
         return fit_mixture(d, pooled.sigma_mm, sigma_known=known or settings.sigma_mm)
+    if len(d) >= _OWN_SHARES_POINTS:
+        return fit_mixture(d, pooled.sigma_mm, sigma_known=pooled.sigma_mm)
     total = pooled.count + WINDOW_SIGMAS * pooled.sigma_mm * (pooled.behind + pooled.front)
     part = max(len(d), 1) / total
     return Mixture(part * pooled.count, pooled.mean_mm, pooled.sigma_mm, part * pooled.behind, part * pooled.front)

@@ -15,7 +15,7 @@ class FineSettings:
         sigma_mm: Known noise of a point along the surface normal; None estimates it from the data.
         edge_margin_mm: Points nearer than this to the edge of a face are never used (burrs, mixed pixels).
         edge_zone_mm: Points nearer than this to the edge form a zone of their own, used only where it is clean.
-        half_thickness_mm: Half thickness of the filter boxes when the exact surfaces take over; they tighten from there.
+        half_thickness_mm: Half thickness of the filter boxes when the exact surfaces take over; it shrinks from there.
         capture_mm: How far points may lie from the model at the start; twice a start error of 2.5 degrees on 300 mm.
         min_points_per_face: A face with fewer points in its box is not used (or refused where it was asked for).
         min_points: Fewer points on all faces together are refused.
@@ -26,6 +26,8 @@ class FineSettings:
         coarse_points: Points of the thinned scan in the coarse stage.
         medium_points: Points in the stage that tightens the boxes.
         max_passes: Passes over all points before the fit counts as not converged.
+        search: False skips the coarse stage, for a start that is known to some tenths of a mm (a blade of the same clamp
+            scanned again).
         seed: Of the thinning and of the extra starts.
     """
 
@@ -43,6 +45,7 @@ class FineSettings:
     coarse_points: int = 4000
     medium_points: int = 60_000
     max_passes: int = 25
+    search: bool = True
     seed: int = 0
 
     def __post_init__(self) -> None:

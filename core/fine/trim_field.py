@@ -75,7 +75,7 @@ def trim_field(surface: Surface, trim: Polygon | MultiPolygon) -> TrimField:
     depth[~inside] = -1.0
     period = np.inf if isinstance(surface, Plane) else 2.0 * np.pi * surface.radius_mm
     if extent[0] > period - cell:
-        depth = _closed_ring(inside, cell, period, int(round(period / cell)))
+        depth = _closed_ring(inside, cell, period, round(period / cell))
     return TrimField(corner, cell, depth, period)
 
 
