@@ -4,12 +4,14 @@
 PYTHON := .venv/bin/python
 # Two numeric threads at most: the machines are small and the tests run side by side.
 export OMP_NUM_THREADS ?= 2
-DEMO_OUT ?= out/demo
+# A session is never overwritten, so every demonstration gets a folder of its own.
+DEMO_OUT ?= out/demo_$(shell date +%Y%m%d_%H%M%S)
 
 setup:
 	@./tools/setup.sh
 
 demo: setup
+	@mkdir -p $(DEMO_OUT)
 	$(PYTHON) -m beltgui.cli.main demo --out $(DEMO_OUT)
 
 run: setup

@@ -56,6 +56,14 @@ def whole_number(text: str) -> int:
     return int(text)
 
 
+def length_mm(text: str) -> float:
+    """A length from 0 up to 1000 mm."""
+    value = _number(text)
+    if not 0.0 <= value <= 1000.0:
+        raise argparse.ArgumentTypeError(f"expected a length from 0 to 1000 mm, found {text[:30]!r}")
+    return value
+
+
 def _number(text: str) -> float:
     try:
         return float(text)

@@ -57,6 +57,8 @@ class Job:
         with self.about(path):
             model = read_step(path)
         self.reads(path)
+        if model.lost_faces:
+            self.say(f"{path}: {model.lost_faces} degenerate faces could not be made and are left out.")
         return model
 
     def rows(self, root: Field, name: str, known: tuple[str, ...], also: tuple[str, ...] = ()) -> list[Field]:

@@ -10,7 +10,7 @@ from typing import Any
 
 from beltgui import __version__
 from beltgui.cli.arguments import Parser
-from core.errors import FitError, InputError
+from core.errors import InputError
 
 OK, REJECTED, UNUSABLE, INTERRUPTED = 0, 1, 2, 130
 
@@ -57,12 +57,7 @@ def _run(argv: list[str]) -> int:
     from beltgui.cli.job import Job
 
     job = Job()
-    try:
-        record = args.run(args, job)
-    except FitError as error:
-        # Readable data that do not determine the answer: a verdict without a result, and without a pose.
-        print(f"beltcal: {_one_line(str(error))}", file=sys.stderr)
-        record = {"verdict": {"ok": False, "reasons": [{"code": str(error.code), "message": str(error)}]}}
+    record = args.run(args, job)
     if isinstance(record, int):
         return record
     return _deliver(record, args, job.inputs)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from beltgui.cli.arguments import Commands, add_command, add_limits, whole_number
+from beltgui.cli.arguments import Commands, add_command, add_limits, length_mm, whole_number
 from core.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,6 +25,8 @@ def add(commands: Commands) -> None:
     parser.add_argument("--auto", action="store_true", help="register the scan to the CAD model without picks")
     parser.add_argument("--cad", metavar="STEP")
     parser.add_argument("--scan", metavar="CLOUD", help="scan in the measurement frame")
+    parser.add_argument("--stock", metavar="MM", type=length_mm, default=0.0,
+                        help="how far faces that are still to be ground may be from the model, with --auto (default 0)")
     parser.add_argument("--seed", type=whole_number, default=0, help="of the random search with --auto")
     add_limits(parser)
 
@@ -69,13 +71,14 @@ def _automatic(args: argparse.Namespace, job: Job) -> dict[str, Any]:
     from beltgui.cli.limits import read_limits
     from beltgui.steps.rough.record import automatic_record
     from core.fine import FineLimits, judge_fine, solve_fine
-    from core.rough.automatic import register_globally
+    from core.rough import GlobalSettings, register_globally
 
     limits = read_limits(args.limits, "fine", FineLimits)
     cloud = job.cloud(args.scan)
     model = job.step(args.cad)
     job.say("searching for the blade in the scan.")
     with job.about(args.scan):
-        fit = register_globally(model, cloud.points_mm, confirm=solve_fine, seed=args.seed)
+        settings = GlobalSettings(surface_mm=max(GlobalSettings.surface_mm, args.stock))
+        fit = register_globally(model, cloud.points_mm, confirm=solve_fine, seed=args.seed, settings=settings)
         verdict = judge_fine(fit.fine, limits)
     return automatic_record(fit, verdict)
