@@ -56,7 +56,7 @@ class GlobalSettings:
     surface_mm: float = 0.3
     min_on_surface: float = 0.3
     min_of_near: float = 0.65
-    min_of_parallel: float = 0.88
+    min_of_parallel: float = 0.9
     least_difference: float = 0.015
     same_rad: float = 0.03
     same_mm: float = 3.0
