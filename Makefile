@@ -12,7 +12,7 @@ setup:
 
 demo: setup
 	@mkdir -p $(DEMO_OUT)
-	$(PYTHON) -m beltgui.cli.main demo --out $(DEMO_OUT)
+	$(PYTHON) -m beltgui.cli.main demo --table --out $(DEMO_OUT)
 
 run: setup
 	$(PYTHON) -m beltgui.cli.main gui --sim

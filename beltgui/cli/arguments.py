@@ -27,10 +27,12 @@ def add_command(commands: Commands, name: str, summary: str, description: str,
     parser: argparse.ArgumentParser = commands.add_parser(
         name, help=summary, description=description, allow_abbrev=False,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.set_defaults(run=run, command=name, out=None)
+    parser.set_defaults(run=run, command=name, out=None, as_table=None)
     common = parser.add_argument_group("output")
-    common.add_argument("--json", action="store_true",
-                        help="print one JSON object (the default when stdout is not a terminal)")
+    form = common.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true",
+                      help="print one JSON object (the default when stdout is not a terminal)")
+    form.add_argument("--table", action="store_true", help="print a table (the default on a terminal)")
     if writes_file:
         common.add_argument("--out", metavar="FILE", help="write the JSON to this file, whole or not at all")
     return parser

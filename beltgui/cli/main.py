@@ -72,7 +72,8 @@ def _deliver(record: dict[str, Any], args: Any, inputs: list[dict[str, str]]) ->
     if args.out is not None:
         write_atomically(args.out, text.encode())
     if sys.stdout is not None:
-        print_whole(text if args.json or not sys.stdout.isatty() else as_table(whole))
+        wants_table = args.table or (sys.stdout.isatty() and not args.json)
+        print_whole((args.as_table or as_table)(whole) if wants_table else text)
     return OK if record["verdict"]["ok"] else REJECTED
 
 
@@ -83,7 +84,7 @@ def _check_out(args: Any) -> None:
         raise InputError("argument --out: the name is empty, expected a file name.")
     check_writable(args.out)
     target = os.path.realpath(args.out)
-    named = [value for name, value in vars(args).items() if name not in ("out", "command", "run")]
+    named = [value for name, value in vars(args).items() if name not in ("out", "command", "run", "as_table")]
     for value in named:
         for word in value if isinstance(value, list) else [value]:
             if isinstance(word, str) and word and os.path.realpath(word) == target:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ def add(commands: Commands) -> None:
     """Declare the command."""
     parser = add_command(commands, "demo", "the whole commissioning in the simulated cell", DESCRIPTION, run,
                          writes_file=False)
+    parser.set_defaults(as_table=as_table)
     parser.add_argument("--seed", type=whole_number, default=0, help="everything left to chance follows from it")
     parser.add_argument("--out", metavar="DIR", dest="folder", default="beltcal_demo",
                         help="folder for the results (default beltcal_demo)")
@@ -48,9 +50,20 @@ def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
         "report": str(result.report),
         "programs": [str(path) for path in result.programs],
         "steps": [{"step": step, "ok": verdict.ok} for step, verdict in result.found.verdicts.items()],
-        "truth_against_estimate": [{"step": row.step, "quantity": row.quantity, "truth": row.truth,
-                                    "estimate": row.estimate, "error": row.error} for row in result.rows],
+        "truth_against_estimate": [asdict(row) for row in result.rows],
         "left_on_airfoil": proof and {"nominal_rms_mm": plain(proof.nominal_rms_mm),
                                       "compensated_rms_mm": plain(proof.compensated_rms_mm),
                                       "compensated_worst_mm": plain(proof.compensated_worst_mm)},
     }
+
+
+def as_table(record: dict[str, Any]) -> str:
+    """Six steps with truth, estimate, error and verdict, then what came of it and where it is."""
+    from beltgui.demo.truth_table import Row, as_text
+
+    verdicts = {step["step"]: "accepted" if step["ok"] else "rejected" for step in record["steps"]}
+    table = as_text([Row(**row) for row in record["truth_against_estimate"]], verdicts)
+    word = "ACCEPTED" if record["verdict"]["ok"] else "REJECTED"
+    programs = "".join(f"program  {path}\n" for path in record["programs"])
+    return (f"{table}\n\n{word}: {record['headline']}\n\nsession  {record['session']}\n{programs}"
+            f"report   {record['report']}\n")
