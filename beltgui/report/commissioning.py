@@ -156,10 +156,11 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
     ]
     faces = Table(
         ("face", "type", "points", "RMS in µm", "mean in µm", "held out in µm", "seen", "note"),
-        [(face.name or str(face.id), face.type, str(face.points), f"{1000.0 * face.rms_mm:.1f}",
-          f"{1000.0 * face.mean_mm:+.2f}", f"{1000.0 * face.held_out_mm:+.1f}", f"{100.0 * face.coverage:.0f} %",
+        [(face.name or str(face.id), face.type, str(face.points), _plain_um(face.rms_mm),
+          _signed_um(face.mean_mm, 2), _signed_um(face.held_out_mm, 1), f"{100.0 * face.coverage:.0f} %",
           face.note) for face in fit.faces],
-        "Held out: mean distance of the face's points under the pose that the other faces give without it.",
+        "Held out: mean distance of the face's points under the pose that the other faces give without it; – where they "
+        "do not determine it, or where the face has no points.",
     )  # fmt: skip
     points = found.scan_points
     used = [face.id for face in fit.faces if face.used]
@@ -282,4 +283,12 @@ def _vector(value: Array) -> str:
 
 
 def _um(value_mm: float) -> str:
-    return f"{1000.0 * float(value_mm):.1f} µm"
+    return f"{_plain_um(value_mm)} µm" if np.isfinite(value_mm) else "–"
+
+
+def _plain_um(value_mm: float) -> str:
+    return f"{1000.0 * float(value_mm):.1f}" if np.isfinite(value_mm) else "–"
+
+
+def _signed_um(value_mm: float, digits: int) -> str:
+    return f"{1000.0 * value_mm:+.{digits}f}" if np.isfinite(value_mm) else "–"
