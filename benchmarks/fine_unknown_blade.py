@@ -1,7 +1,10 @@
-"""`python -m benchmarks.fine_unknown_blade [--seeds 20] [--points 40000]`: blades in no project, from STEP and a noisy scan.
+"""`python -m benchmarks.fine_unknown_blade [--seeds 20] [--points 40000]`: blades in no project, from STEP and a
+noisy scan.
 
-Each seed makes a new STEP file in a temporary folder, simulates a scan with 30 % of strangers and registers it from a start
-2.5 degrees and 3 mm off. Printed: position error over the Cramér-Rao bound at root, mid and tip (asked: below 3) and the
+Each seed makes a new STEP file in a temporary folder, simulates a scan with 30 % of strangers and registers it from a
+start
+2.5 degrees and 3 mm off. Printed: position error over the Cramér-Rao bound at root, mid and tip (asked: below 3) and
+the
 time. Exit code 1 where one is above 3.
 """
 
@@ -53,7 +56,8 @@ def main() -> int:
                 fit = solve_fine(model, [scene.points], scene.start, settings=FineSettings())
             except InputError as error:
                 refused += 1
-                print(f"| {seed} | refused: {error} (bound {1000 * scene.bound_mm().max():.1f} um) | | | | | |", flush=True)
+                print(f"| {seed} | refused: {error} (bound {1000 * scene.bound_mm().max():.1f} um) | | | | | |",
+                flush=True)
                 continue
             seconds = time.process_time() - start
         ratio = scene.error_mm(fit.measure_from_work) / scene.bound_mm()

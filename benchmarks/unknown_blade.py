@@ -1,4 +1,4 @@
-"""Blades that are in no project and noisy scans of them, made without the estimators: geometry straight from the kernel."""
+"""Blades that are in no project and noisy scans of them, made without the estimators, straight from the kernel."""
 
 from __future__ import annotations
 
@@ -80,7 +80,8 @@ def write_blade(rng: np.random.Generator, path: Path) -> None:
         shape = BRepAlgoAPI_Fuse(shape, _box(shroud, (0, 0, length - 1.0), skew_deg=rng.uniform(-25, 25),
                                              tilt=(rng.uniform(-8, 8), rng.uniform(-8, 8), 0))).Shape()
         shape = BRepAlgoAPI_Fuse(shape, _cylinder(rng.uniform(5, 9), rng.uniform(6, 12),
-                                                  (rng.uniform(-6, 6), rng.uniform(-4, 4), length + 6), (0, 0, 1))).Shape()
+                                                  (rng.uniform(-6, 6), rng.uniform(-4, 4), length + 6), (0, 0,
+                                                  1))).Shape()
     shape = BRepAlgoAPI_Cut(shape, _cylinder(rng.uniform(3, 6), 100.0, (rng.uniform(-12, 12), -50.0,
                                              -plate[2] - root[2] * 0.8), (0, 1, 0))).Shape()
     if rng.random() < 0.5:
@@ -114,7 +115,8 @@ def _cylinder(radius: float, height: float, foot: tuple[float, float, float], ax
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
     from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 
-    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(*map(float, foot)), gp_Dir(*map(float, axis))), radius, height).Shape()
+    place = gp_Ax2(gp_Pnt(*map(float, foot)), gp_Dir(*map(float, axis)))
+    return BRepPrimAPI_MakeCylinder(place, radius, height).Shape()
 
 
 def _moved(shape: Any, by: tuple[float, float, float]) -> Any:
@@ -185,8 +187,8 @@ class Sampler:
     def draw(self, rng: np.random.Generator, count: int, views: Array,
              faces: tuple[int, ...] | None = None) -> tuple[Array, Array, NDArray[np.int64]]:
         """Points, outward normals and face numbers of points that one of the views (V, 3) sees, even over the area."""
-        area = np.linalg.norm(np.cross(self.corners[:, 1] - self.corners[:, 0], self.corners[:, 2] - self.corners[:, 0]),
-                              axis=1)
+        sides = self.corners[:, 1:] - self.corners[:, :1]
+        area = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
         seen = (self.normals @ views.T).max(axis=1) > 0.25
         if faces is not None:
             seen &= np.isin(self.face, faces)
@@ -195,8 +197,7 @@ class Sampler:
         a, b = rng.random(count), rng.random(count)
         flip = a + b > 1
         a[flip], b[flip] = 1 - a[flip], 1 - b[flip]
-        corners = self.corners[triangle]
-        points = corners[:, 0] + a[:, None] * (corners[:, 1] - corners[:, 0]) + b[:, None] * (corners[:, 2] - corners[:, 0])
+        points = self.corners[triangle, 0] + a[:, None] * sides[triangle, 0] + b[:, None] * sides[triangle, 1]
         normals, face = self.normals[triangle].copy(), self.face[triangle]
         for number, (origin, axis, radius) in self.cylinders.items():
             at = face == number
@@ -283,7 +284,8 @@ def simulate(sampler: Sampler, rng: np.random.Generator, count: int, *, outliers
     """
     low, high = sampler.corners.min(axis=(0, 1)), sampler.corners.max(axis=(0, 1))
     directions = rng.normal(size=(1, 3)) * [1, 1, 0.4]
-    directions = np.vstack([directions] + [directions * -0.4 + rng.normal(size=3) * [1, 1, 0.5] for _ in range(views - 1)])
+    others = [directions * -0.4 + rng.normal(size=3) * [1, 1, 0.5] for _ in range(views - 1)]
+    directions = np.vstack([directions, *others])
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     if all_round:
         directions = np.vstack([np.eye(3), -np.eye(3)])
@@ -293,7 +295,7 @@ def simulate(sampler: Sampler, rng: np.random.Generator, count: int, *, outliers
     used = np.isin(face, [n for n, kind in sampler.kinds.items() if kind != "other"])
     pose = np.eye(4)
     pose[:3, :3] = Rotation.random(random_state=rng).as_matrix()
-    pose[:3, 3] = rng.uniform(-200, 200, 3) + [0, 0, 500]
+    pose[:3, 3] = rng.uniform([-200, -200, 300], [200, 200, 700])
     in_measure = points @ pose[:3, :3].T + pose[:3, 3]
     about = in_measure[used].mean(axis=0)
     n = normals[used] @ pose[:3, :3].T
@@ -316,8 +318,8 @@ def _strangers(sampler: Sampler, rng: np.random.Generator, count: int, views: Ar
     """Fixture planes and blocks, edge ghosts behind the edges, ghosts off the faces, and stray points."""
     shares = rng.multinomial(count, [0.5, 0.2, 0.1, 0.1, 0.1] if clutter else [0.6, 0.25, 0.1, 0.05, 0.0])
     table, corner = shares[0] // 2, rng.uniform(low - 15, low - 4)
-    first = np.column_stack([rng.uniform(low[0] - 60, high[0] + 60, table), rng.uniform(low[1] - 60, high[1] + 60, table),
-                             np.full(table, low[2] - rng.uniform(0.5, 12.0))])
+    first = rng.uniform(low - 60, high + 60, (table, 3))
+    first[:, 2] = low[2] - rng.uniform(0.5, 12.0)
     wall = shares[0] - table
     second = np.column_stack([np.full(wall, corner[0]), rng.uniform(low[1] - 30, high[1] + 30, wall),
                               rng.uniform(low[2] - 40, low[2] + 60, wall)])

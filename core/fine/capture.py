@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from core.cad import CadModel
 from core.fine.boxes import Target, distances, gather
-from core.fine.coarse import ModelSamples, ThinScan, align, sample_model, score, surface_share, thin_scan
+from core.fine.coarse import ModelSamples, ThinScan, align, sample_model, support, surface_share, thin_scan
 from core.fine.moments import accumulate, solve_moments
 from core.fine.noise import shortest_half_sigma
 from core.fine.settings import FineSettings
@@ -49,6 +49,7 @@ class Capture:
         near_by_face: (F,) the same per target.
         on_by_face: (F,) the same per target.
         surface_share: Share of the scanned surface within 6 mm of the faces that lies on them.
+        overhung: Ids of faces whose surface goes on beyond their edges.
     """
 
     measure_from_work: Array
@@ -58,6 +59,7 @@ class Capture:
     near_by_face: NDArray[np.int64]
     on_by_face: NDArray[np.int64]
     surface_share: float = 0.0
+    overhung: frozenset[int] = frozenset()
 
     @property
     def agreeing(self) -> int:
@@ -102,7 +104,9 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
     tight = tighten(targets, medium, pose, settings)
     if tight is None:
         return None
-    return replace(tight, surface_share=surface_share(samples, thin, tight.measure_from_work, SURFACE_REACH_MM))
+    pose = tight.measure_from_work
+    return replace(tight, surface_share=surface_share(samples, thin, pose, SURFACE_REACH_MM),
+                   overhung=support(samples, thin, pose).overhung)
 
 
 def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: Array,
@@ -117,7 +121,7 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
     best, best_score, reached = start, -1.0, 0
     for attempt in range(_MOST_STARTS):
         pose = align(samples, some, _varied(start, model, attempt, rng), settings.capture_mm)
-        value = score(samples, thin, pose)
+        value = support(samples, thin, pose).score
         apart = np.linalg.norm(transform_points(pose, corners) - transform_points(best, corners), axis=1).max()
         if apart < _SAME_POSE_MM:
             reached += 1
@@ -133,12 +137,12 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
 def _without_slide(samples: ModelSamples, thin: ThinScan, targets: Sequence[Target], pose: Array,
                    settings: FineSettings) -> Array:
     """The pose, or the better one that lies a shift along some faces' normal away."""
-    best, best_score = pose, score(samples, thin, pose)
+    best, best_score = pose, support(samples, thin, pose).score
     for slid in slid_poses(targets, thin, pose, settings.capture_mm):
-        if score(samples, thin, slid) < _WORTH_A_TRY * best_score:
+        if support(samples, thin, slid).score < _WORTH_A_TRY * best_score:
             continue
         tried = align(samples, thin, slid, settings.capture_mm, kernel_mm=_POLISH_KERNEL_MM)
-        value = score(samples, thin, tried)
+        value = support(samples, thin, tried).score
         if value > _CLEARLY_BETTER * best_score:
             best, best_score = tried, value
     return best

@@ -76,8 +76,8 @@ def check_scan(model: CadModel, points: Array) -> None:
         raise InputError(f"The scan is only {extent:.3g} mm across, the model {size:.3g} mm. Give a scan in mm that "
                          "covers several faces.", Code.NOT_ENOUGH_VARIATION)
     if extent > 200.0 * size:
-        raise InputError(f"The scan is {extent:.3g} mm across, the model {size:.3g} mm: one of them has the wrong unit. "
-                         "Give both in mm.")
+        raise InputError(f"The scan is {extent:.3g} mm across, the model {size:.3g} mm: one of them has the wrong "
+                         "unit. Give both in mm.")
 
 
 def check_capture(found: Capture | None, model: CadModel, points: Array, start: Array,
@@ -96,9 +96,9 @@ def check_capture(found: Capture | None, model: CadModel, points: Array, start: 
         raise FitError(f"Seen from the start, no scan points lie on the chosen faces: {where}. Check that scan, start "
                        "and STEP file belong together, or redo the rough step.", Code.NOT_ENOUGH_POINTS)
     if found.sigma_mm > settings.max_sigma_mm:
-        raise FitError(f"The scan does not fit the model: points scatter by {found.sigma_mm:.3f} mm about its faces, at "
-                       f"most {settings.max_sigma_mm:.3f} mm is scanner noise. Is it the right blade type, and is the "
-                       "start within a few mm and degrees?", Code.WRONG_MODEL)
+        raise FitError(f"The scan does not fit the model: points scatter by {found.sigma_mm:.3f} mm about its faces, "
+                       f"at most {settings.max_sigma_mm:.3f} mm is scanner noise. Is it the right blade type, and is "
+                       "the start within a few mm and degrees?", Code.WRONG_MODEL)
     if found.share < settings.min_near_share:
         raise FitError(f"The scan does not fit the model: of {found.near} points within 2 mm of its faces only "
                        f"{found.share:.0%} lie on them, at least {settings.min_near_share:.0%} are expected. Is it the "
@@ -106,9 +106,9 @@ def check_capture(found: Capture | None, model: CadModel, points: Array, start: 
     contradicted = found.contradicting >= _MANY_CONTRADICT * found.agreeing
     if found.surface_share < _LEAST_SURFACE or (contradicted and found.surface_share < _CLEAR_SURFACE):
         raise FitError(f"The scan does not fit the model: {found.agreeing} of its faces agree with the scan, "
-                       f"{found.contradicting} contradict it, and {found.surface_share:.0%} of the surface scanned near "
-                       f"the faces lies on them (at least {_CLEAR_SURFACE:.0%} is usual). Is it the right blade type, and "
-                       "is the start within a few mm and degrees?", Code.WRONG_MODEL)
+                       f"{found.contradicting} contradict it, and {found.surface_share:.0%} of the surface scanned "
+                       f"near the faces lies on them (at least {_CLEAR_SURFACE:.0%} is usual). Is it the right blade "
+                       "type, and is the start within a few mm and degrees?", Code.WRONG_MODEL)
     return found
 
 
@@ -128,9 +128,10 @@ def check_geometry(result: Estimate, model: CadModel, settings: FineSettings) ->
     worst = max(float(np.sqrt(np.trace(covariance.of_point(point))))
                 for point in transform_points(result.measure_from_work, ends_of(model)))
     if not worst < settings.max_point_sigma_mm:
-        raise FitError(f"The points on {labels} hold the blade too loosely: one sigma of {worst:.3f} mm at an end of the "
-                       f"model, at most {settings.max_point_sigma_mm:.3f} mm. Weakest: {conditioning.description} in the "
-                       "CAD frame. Scan more points or more faces.", Code.ILL_CONDITIONED)
+        raise FitError(f"The points on {labels} hold the blade too loosely: one sigma of {worst:.3f} mm at an end "
+                       f"of the model, at most {settings.max_point_sigma_mm:.3f} mm. Weakest: "
+                       f"{conditioning.description} in the CAD frame. "
+                       "Scan more points or more faces.", Code.ILL_CONDITIONED)
 
 
 def _advice(direction: Array) -> str:

@@ -1,6 +1,7 @@
 """From a start several mm and degrees off to within some hundredths of a mm: the thinned scan against the whole model.
 
-Plain boxes would pick wrong points here: at 2.5 degrees the end of a 300 mm blade is 6 mm away from where it seems to be.
+Plain boxes would pick wrong points here: at 2.5 degrees the end of a 300 mm blade is 6 mm away from where it seems to
+be.
 Point-to-plane alignment with normals in the search and a Geman-McClure kernel that narrows (graduated non-convexity:
 Black & Rangarajan, 1996; Zhou, Park & Koltun, Fast Global Registration, 2016), on all faces, the airfoil included.
 """
@@ -31,6 +32,8 @@ _OTHER_FACES_END = 0.02
 _RIDGE = 1e-6
 _ON_MM = 0.2
 _SURFACE = 0.3
+# Points this far beyond a face's edge, in line with it, say that it isn't that face; each takes away this many.
+_OVERHANG_MM, _OVERHANG_COUNTS, _OVERHANG_LEAST = 8.0, 2.0, 6.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +43,7 @@ class ModelSamples:
     Attributes:
         points: (S, 3) mm in W.
         normals: (S, 3) outward unit normals.
+        face_ids: (S,) id of the CadFace.
         chosen: (S,) True on the faces to be registered on.
         spacing_mm: Typical distance of neighbours.
         tree: Over (point, NORMAL_LENGTH_MM normal).
@@ -47,6 +51,7 @@ class ModelSamples:
 
     points: Array
     normals: Array
+    face_ids: NDArray[np.int64]
     chosen: NDArray[np.bool_]
     spacing_mm: float
     tree: cKDTree
@@ -89,7 +94,7 @@ def sample_model(mesh: Mesh, chosen_ids: Collection[int], seed: int) -> ModelSam
     points = base[:, 0] + a[:, None] * (base[:, 1] - base[:, 0]) + b[:, None] * (base[:, 2] - base[:, 0])
     normals = (cross / double[:, None])[triangle]
     spacing = float(np.sqrt(double.sum() / 2.0 / len(points)))
-    return ModelSamples(points, normals, np.isin(ids[triangle], list(chosen_ids)), spacing,
+    return ModelSamples(points, normals, ids[triangle], np.isin(ids[triangle], list(chosen_ids)), spacing,
                         cKDTree(np.hstack([points, NORMAL_LENGTH_MM * normals])))
 
 
@@ -138,18 +143,52 @@ def _one_per_voxel(points: Array, least_mm: float, count: int, rng: np.random.Ge
         size *= max(1.1, float(np.sqrt(len(first) / (1.3 * count))))
 
 
-def score(samples: ModelSamples, scan: ThinScan, pose: Array) -> float:
-    """Weighted number of thinned points that lie on the model, those on the chosen faces counting full."""
-    nearest, found = _match(samples, scan, pose, 3.0 * samples.spacing_mm + 0.5)
+@dataclass(frozen=True, eq=False)
+class Support:
+    """Thinned points in line with each face of the model.
+
+    Attributes:
+        on: (F + 1,) weighted number of points on face `id`, at place `id`.
+        over: (F + 1,) the same for points that continue the face beyond its edge, where the model has none.
+        chosen: (F + 1,) True for the faces to be registered on.
+    """
+
+    on: Array
+    over: Array
+    chosen: NDArray[np.bool_]
+
+    @property
+    def score(self) -> float:
+        """Points on the model, those on the chosen faces counting full, those on overhung faces less or nothing."""
+        return float(np.where(self.chosen, 1.0, 0.5) @ np.maximum(self.on - _OVERHANG_COUNTS * self.over, 0.0))
+
+    @property
+    def overhung(self) -> frozenset[int]:
+        """Ids of faces whose surface goes on beyond their edges: a table or a clamp of the fixture, no face."""
+        overhung = (self.over > _OVERHANG_LEAST) & (_OVERHANG_COUNTS * self.over > self.on)
+        return frozenset(np.flatnonzero(overhung).tolist())
+
+
+def support(samples: ModelSamples, scan: ThinScan, pose: Array) -> Support:
+    """How much of the thinned scan stands behind each face at a pose."""
+    nearest, found = _match(samples, scan, pose, _OVERHANG_MM)
     at = np.flatnonzero(found)
     hit = nearest[at]
     normals = rotate(pose, samples.normals[hit])
     offset = scan.points[at] - transform_points(pose, samples.points[hit])
     d = np.einsum("ij,ij->i", offset, normals)
-    beside = np.einsum("ij,ij->i", offset, offset) - d**2
-    on = (np.abs(d) < _ON_MM) & (beside < (2.5 * samples.spacing_mm) ** 2)
-    on &= np.abs(np.einsum("ij,ij->i", normals, scan.normals[at])) > 0.85
-    return float(np.where(samples.chosen[hit], 1.0, 0.5)[on] @ scan.flatness[at][on])
+    beside = np.sqrt(np.maximum(np.einsum("ij,ij->i", offset, offset) - d**2, 0.0))
+    flush = (np.abs(d) < _ON_MM) & (np.abs(np.einsum("ij,ij->i", normals, scan.normals[at])) > 0.85)
+    inside = beside < 2.5 * samples.spacing_mm
+    weights, ids, length = scan.flatness[at], samples.face_ids[hit], int(samples.face_ids.max()) + 1
+    chosen = np.zeros(length, dtype=bool)
+    chosen[samples.face_ids[samples.chosen]] = True
+    on, beyond = flush & inside, flush & (beside > 3.5 * samples.spacing_mm) & samples.chosen[hit]
+
+    def summed(mask: NDArray[np.bool_]) -> Array:
+        return np.bincount(ids[mask], weights[mask], length).astype(float)
+
+    return Support(summed(on), summed(beyond), chosen)
 
 
 def surface_share(samples: ModelSamples, scan: ThinScan, pose: Array, reach_mm: float) -> float:
@@ -220,7 +259,8 @@ def _step(samples: ModelSamples, scan: ThinScan, pose: Array, kernel: float, rea
     return perturbed(pose, step, centre)
 
 
-def _match(samples: ModelSamples, scan: ThinScan, pose: Array, reach: float) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+def _match(samples: ModelSamples, scan: ThinScan, pose: Array,
+           reach: float) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
     """Nearest model sample in position and normal for each scan point, and whether one is within reach."""
     work_from_measure = inverse(pose)
     points = transform_points(work_from_measure, scan.points)

@@ -128,6 +128,8 @@ def estimate(targets: Sequence[Target], points: Array, found: Capture, settings:
     boxes = gather(targets, points, found.measure_from_work, half_thickness_mm=WINDOW_SIGMAS * 1.1 * sigma,
                    margin_mm=settings.edge_margin_mm)
     faces = [_opened(target, box, sigma, settings) for target, box in zip(targets, boxes, strict=True)]
+    if not asked_for:
+        faces = [_unless_overhung(face, found.overhung) for face in faces]
     _refuse_poor(faces, settings, asked_for)
     result = _converged(faces, found.measure_from_work, sigma, settings, asked_for)
     while not asked_for:
@@ -148,6 +150,13 @@ def _opened(target: Target, box: FacePoints, sigma: float, settings: FineSetting
     note = "" if enough else f"only {count} points in its box, {settings.min_points_per_face} are needed"
     return FaceFit(target, box, box.depth <= settings.edge_zone_mm, None, nothing, nothing, np.zeros(count),
                    np.zeros(count), None, enough, note)
+
+
+def _unless_overhung(face: FaceFit, overhung: frozenset[int]) -> FaceFit:
+    """The face without a say where the scan goes on beyond all its edges as if they weren't there."""
+    if not face.used or not overhung.issuperset(face.target.patch.face_ids):
+        return face
+    return replace(face, used=False, note="the scanned surface goes on beyond its edge: the fixture, or another part")
 
 
 def _refuse_poor(faces: Sequence[FaceFit], settings: FineSettings, asked_for: bool) -> None:
@@ -229,14 +238,26 @@ def _weighted(face: FaceFit, pooled: Mixture, pose: Array, centre: Array, settin
 
 
 def _noise_of(d: Array, pooled: Mixture, settings: FineSettings, known: float | None = None) -> Mixture:
-    """Mixture of one zone; a small one borrows the scatter of all faces, a tiny one the shares of strangers too."""
+    """Mixture of one zone.
+
+    A small one borrows the scatter of all faces, a tiny one the shares of strangers too; in between its own shares
+    count the more the more points it has.
+    """
     if len(d) >= OWN_NOISE_POINTS:
         return fit_mixture(d, pooled.sigma_mm, sigma_known=known or settings.sigma_mm)
-    if len(d) >= _OWN_SHARES_POINTS:
-        return fit_mixture(d, pooled.sigma_mm, sigma_known=pooled.sigma_mm)
     total = pooled.count + WINDOW_SIGMAS * pooled.sigma_mm * (pooled.behind + pooled.front)
     part = max(len(d), 1) / total
-    return Mixture(part * pooled.count, pooled.mean_mm, pooled.sigma_mm, part * pooled.behind, part * pooled.front)
+    usual = Mixture(part * pooled.count, pooled.mean_mm, pooled.sigma_mm, part * pooled.behind, part * pooled.front)
+    if len(d) < _OWN_SHARES_POINTS:
+        return usual
+    own = fit_mixture(d, pooled.sigma_mm, sigma_known=pooled.sigma_mm)
+    trust = len(d) / OWN_NOISE_POINTS
+
+    def between(mine: float, others: float) -> float:
+        return trust * mine + (1.0 - trust) * others
+
+    return Mixture(between(own.count, usual.count), own.mean_mm, pooled.sigma_mm, between(own.behind, usual.behind),
+                   between(own.front, usual.front))
 
 
 def _is_clean(rim: Mixture, inner: Mixture) -> bool:

@@ -57,7 +57,7 @@ def judge_fine(fit: FineFit, limits: FineLimits | None = None) -> Verdict:
     if held_out:
         worst = max(held_out, key=lambda face: abs(face.held_out_mm))
         reasons += above(Code.HELD_OUT_ERROR, abs(worst.held_out_mm), limits.held_out_mm,
-                         f"The mean distance of {worst.name or f'face {worst.id}'} under the pose that the other faces give",
+                         f"The mean distance of {worst.name or f'face {worst.id}'} under the pose of the other faces",
                          "The face is dirty, damaged or not as in the CAD model; or the blade is of another type.")
     chance = 4.0 * float(fit.point_sigma_mm.max()) * 2.0
     reasons += above(Code.HELD_OUT_ERROR, float(fit.half_split_mm.max()), max(limits.half_split_mm, chance),
@@ -66,6 +66,6 @@ def judge_fine(fit: FineFit, limits: FineLimits | None = None) -> Verdict:
                      f"Weakest is {fit.conditioning.description} in the CAD frame; scan faces that hold it.", unit="")
     if fit.near_share < limits.near_share:
         reasons.append(Reason(Code.TOO_MANY_OUTLIERS, f"Only {fit.near_share:.0%} of the points near the faces lie on "
-                              f"them, at least {limits.near_share:.0%} are expected. Look for dirt, clamps close to the "
-                              "faces, or another blade type."))
+                              f"them, at least {limits.near_share:.0%} are expected. Look for dirt, clamps close to "
+                              "the faces, or another blade type."))
     return Verdict.of(reasons)

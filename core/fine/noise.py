@@ -1,9 +1,11 @@
 """What is noise and what is not: residuals of a face as a Gaussian on two flat shelves, one behind and one in front.
 
 Ghosts of a scanner (mixed pixels at edges, reflections) and clutter lie on one side of a surface more often than on the
-other. A symmetric robust weight then pulls the pose towards them. Here the density of the strangers is estimated on each
+other. A symmetric robust weight then pulls the pose towards them. Here the density of the strangers is estimated on
+each
 side and the weight of a point is the probability that it belongs to the surface, which makes the estimating equation
-`sum w d = 0` unbiased under one-sided strangers too (score of the mixture's likelihood; McLachlan & Peel, Finite Mixture
+`sum w d = 0` unbiased under one-sided strangers too (score of the mixture's likelihood; McLachlan & Peel, Finite
+Mixture
 Models, 2000, section 2.8).
 """
 
@@ -59,7 +61,7 @@ class Mixture:
         return strangers / (strangers + self.count)
 
     def efficiency(self) -> tuple[float, float, float]:
-        """Integrals over the density f of all points: (E w, E psi', E psi^2 / sigma^2) with psi = w d, per surface point."""
+        """(E w, E psi', E psi^2 / sigma^2) with psi = w d over the density of all points, per surface point."""
         x = np.linspace(-WINDOW_SIGMAS, WINDOW_SIGMAS, 1201) * self.sigma_mm
         step = x[1] - x[0]
         w = self.weights(x)
@@ -71,7 +73,7 @@ class Mixture:
 
 
 def shortest_half_sigma(d: Array, share: float = 0.5) -> tuple[float, float]:
-    """Scale and middle of the narrowest interval that holds a share of the residuals (N,); stands 1 - share of strangers.
+    """Scale and middle of the narrowest interval that holds a share of the residuals (N,).
 
     Source: Rousseeuw & Leroy, Robust Regression and Outlier Detection (1987), section 4.3 (shortest half).
     """

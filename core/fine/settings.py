@@ -26,13 +26,14 @@ class FineSettings:
         coarse_points: Points of the thinned scan in the coarse stage.
         medium_points: Points in the stage that tightens the boxes.
         max_passes: Passes over all points before the fit counts as not converged.
-        search: False skips the coarse stage, for a start that is known to some tenths of a mm (a blade of the same clamp
+        search: False skips the coarse stage, for a start that is known to some tenths of a mm (a blade of the same
+        clamp
             scanned again).
         seed: Of the thinning and of the extra starts.
     """
 
     sigma_mm: float | None = None
-    edge_margin_mm: float = 0.4
+    edge_margin_mm: float = 0.3
     edge_zone_mm: float = 1.2
     half_thickness_mm: float = 1.2
     capture_mm: float = 14.0

@@ -1,7 +1,9 @@
 """Slides: a pose in which the scan lies on the wrong ones of parallel faces, and how to get out of it.
 
-Blades have many parallel faces a few mm apart, and the table of a fixture is parallel to them too. Where the coarse stage
-ends on the wrong ones, the error is a plain shift along their common normal. All faces that are not parallel to the shift
+Blades have many parallel faces a few mm apart, and the table of a fixture is parallel to them too. Where the coarse
+stage
+ends on the wrong ones, the error is a plain shift along their common normal. All faces that are not parallel to the
+shift
 vote for it: each point beside a face, with the face's direction, votes for the shift that would put it onto the face (a
 Hough transform in one unknown).
 """
@@ -13,7 +15,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from core.cad import Plane
 from core.fine.boxes import Target
 from core.fine.coarse import ThinScan
 from core.frames import inverse, rotate, transform_points

@@ -85,8 +85,8 @@ def _closed_ring(inside: NDArray[np.bool_], cell: float, period: float, columns:
 
     one_turn = inside[:, 1 : 1 + columns].copy()
     one_turn[:, [0, -1]] |= one_turn[:, [1, -2]]
-    depth = distance_transform_edt(np.hstack([one_turn] * 3))[:, columns - 1 : 2 * columns + 2]
-    depth = np.asarray(depth, dtype=np.float32) * np.float32(cell) - np.float32(cell / 2)
+    steps = distance_transform_edt(np.hstack([one_turn] * 3))[:, columns - 1 : 2 * columns + 2]
+    depth = np.asarray(steps, dtype=np.float32) * np.float32(cell) - np.float32(cell / 2)
     depth[depth < 0.0] = -1.0
     return depth
 

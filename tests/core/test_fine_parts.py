@@ -16,7 +16,8 @@ from core.fine.settings import FineSettings
 from core.fine.trim_field import trim_field
 from core.frames import perturbed
 
-PLANE = Plane(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]))
+X, Y, Z = np.eye(3)
+PLANE = Plane(np.array([1.0, 2.0, 3.0]), Z, X, Y)
 CYLINDER = Cylinder(np.array([5.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]), 12.0, 1)
 
 
@@ -56,7 +57,7 @@ def test_a_full_cylinder_has_no_edge_at_its_seam():
 
 
 def test_a_point_in_two_boxes_belongs_to_none():
-    other = Plane(np.array([1.0, 2.0, 3.0]), np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0]))
+    other = Plane(np.array([1.0, 2.0, 3.0]), Y, Z, X)
     targets = [make_target(Patch(surface, (i,), str(i), shapely.box(-10, -10, 10, 10)))
                for i, surface in enumerate((PLANE, other), start=1)]
     pose = random_pose(np.random.default_rng(2))
