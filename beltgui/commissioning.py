@@ -162,6 +162,7 @@ class Commissioner:
             self.model,
             self.blade,
             found.rough.measure_from_work,
+            unmoved_since=found.rough.measure_from_work,
         )
         return fine.record(found.fine), fine.headline(found.fine)
 
@@ -192,7 +193,10 @@ class Commissioner:
             self._part("error_surface", 0.1, 1.0), presenting, self.blade.probing
         )
         info = {"blade_type": self.blade.name, "grinder": self.grinder, "date": self.date}
-        outcome = error_surface.solve(samples, wheel.radius_mm, presenting.normal_in_tool, info, clamped.verdict)
+        rests_rad = found.tool.rests_rad.get(self.grinder, ())
+        outcome = error_surface.solve(
+            samples, wheel.radius_mm, presenting.normal_in_tool, info, clamped.verdict, rests_rad
+        )
         found.error_surface = outcome
         if outcome.verdict.ok:
             for name, pattern in error_surface.patterns(self.blade.probing).items():

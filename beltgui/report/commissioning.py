@@ -150,6 +150,7 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
         *_pose_rows("blade in flange", outcome.flange_from_work),
         ("uncertainty at the blade's ends, k = 2", _um(2.0 * float(np.max(fit.point_sigma_mm))), "in {M}, from noise"),
         ("two halves of the data apart", _um(float(np.max(fit.half_split_mm))), "largest of root, mid, tip"),
+        *_moved_row(outcome.moved_mm),
         ("points used", f"{fit.points_used} of {fit.points}", ""),
         ("RMS", _um(fit.rms_mm), "signed distance to the faces"),
         ("weakest direction", fit.conditioning.description, f"condition {fit.conditioning.condition:.1f}"),
@@ -159,8 +160,8 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
         [(face.name or str(face.id), face.type, str(face.points), _plain_um(face.rms_mm),
           _signed_um(face.mean_mm, 2), _signed_um(face.held_out_mm, 1), f"{100.0 * face.coverage:.0f} %",
           face.note) for face in fit.faces],
-        "Held out: mean distance of the face's points under the pose that the other faces give without it; – where they "
-        "do not determine it, or where the face has no points.",
+        "Held out: mean distance of the face's points under the pose that the other faces give without it; – where "
+        "they do not determine it, or where the face has no points.",
     )  # fmt: skip
     points = found.scan_points
     used = [face.id for face in fit.faces if face.used]
@@ -179,6 +180,12 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
     ]  # fmt: skip
     return _section("fine", found, "The scan registered to planes and cylinders of the STEP model.",
                     [_facts(rows), faces], pictures)
+
+
+def _moved_row(moved_mm: float | None) -> list[tuple[str, str, str]]:
+    if moved_mm is None:
+        return []
+    return [("distance from the pose of the rough step's scans", _um(moved_mm), "largest of root, mid, tip")]
 
 
 def _tool(found: Commissioning) -> Section:
@@ -218,6 +225,7 @@ def _error_surface(found: Commissioning, model: CadModel) -> Section:
          f"{len(surface.rejected)} rejected, {int(surface.missing.sum())} missing"),
         ("normal error", f"{known.min():+.3f} to {known.max():+.3f} mm", f"RMS {np.sqrt(np.mean(known**2)):.3f} mm"),
         ("leave-one-out RMS", _um(surface.leave_one_out_rms_mm), "sample against all others"),
+        ("wheel at the head's stop, moved since the tool step", _um(outcome.head_rest.moved_mm), ""),
         ("noise of a sample", _um(surface.sigma_mm) if surface.sigma_mm is not None else "–", "estimated"),
         _held_row(outcome.held_out),
     ]  # fmt: skip

@@ -15,6 +15,8 @@ from devices.interfaces import StagePosition
 
 Array = NDArray[np.float64]
 KIND = "scan"
+# What the robot's report of a pose and the commanded pose may differ by when it is there.
+THERE_MM, THERE_RAD = 1e-3, 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +42,7 @@ class ScanSample:
 
 
 def acquire_scans(context: Context, step: str, poses: Sequence[ScanPose]) -> list[ScanSample]:
-    """Visit the poses and scan at each; the robot moves only where the pose differs from the one before.
+    """Visit the poses and scan at each; the robot moves only if it is not there already.
 
     Raises:
         DeviceError: a device failed or refused; what was taken before stays in the session.
@@ -49,14 +51,19 @@ def acquire_scans(context: Context, step: str, poses: Sequence[ScanPose]) -> lis
     if not context.cell.stage.homed:
         context.cell.stage.home()
     samples: list[ScanSample] = []
-    previous: Array | None = None
     for number, pose in enumerate(poses):
         context.job.report(number / len(poses), f"scan {number + 1} of {len(poses)}: {pose.name}")
-        if previous is None or not np.array_equal(previous, pose.base_from_flange):
+        if not _stands_at(context.cell.robot.read().base_from_flange, pose.base_from_flange):
             context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
-            previous = pose.base_from_flange
         samples.append(_take(context, step, pose))
     return samples
+
+
+def _stands_at(base_from_flange: Array, target: Array) -> bool:
+    """True if a motion would change nothing but the robot's repeatability error."""
+    shift_mm = np.abs(base_from_flange[:3, 3] - target[:3, 3]).max()
+    turn_rad = np.abs(base_from_flange[:3, :3] - target[:3, :3]).max()
+    return bool(shift_mm < THERE_MM and turn_rad < THERE_RAD)
 
 
 def _take(context: Context, step: str, pose: ScanPose) -> ScanSample:

@@ -1,4 +1,4 @@
-"""A simulated cell with a session, and what earlier steps would have found: made from the truth, so that it is quick."""
+"""A simulated cell with a session, and what earlier steps would have found, quickly made from the truth."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -16,7 +16,6 @@ from core.base import BaseFit, solve_base
 from core.cad import CadModel, read_step
 from core.cad.blade_type import BladeType, read_blade_type
 from core.frames import inverse, transform_points
-from devices.interfaces import StagePosition
 from devices.sim import SimulatedCell, build_simulated_cell
 from resources import blade_type_path
 
@@ -113,7 +112,3 @@ def blade_and_model() -> tuple[BladeType, CadModel]:
         blade = read_blade_type(blade_type_path("dr95"))
         _loaded.append((blade, read_step(blade.step_path)))
     return _loaded[0]
-
-
-def target(x_mm: float = 0.0, y_mm: float = 0.0, z_mm: float = 0.0, theta_rad: float = 0.0) -> StagePosition:
-    return StagePosition(x_mm, y_mm, z_mm, theta_rad)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beltgui.session import Session
+from beltgui.steps import head_rest
 from beltgui.steps.context import Context
 from beltgui.steps.scans import ScanSample, acquire_scans
 from core.cad.blade_type import ProbingGrid
@@ -40,11 +41,12 @@ class Probe:
 
 @dataclass(frozen=True, eq=False)
 class ProbeSamples:
-    """Points to fit on, and points between them to check on."""
+    """Points to fit on, points between them to check on, and the head at its stop before and after, rad."""
 
     grinder: str
     grid: Probe
     check: Probe
+    rests_rad: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,12 +82,15 @@ def clamp_and_scan(context: Context) -> list[ScanSample]:
 def acquire(context: Context, presenting: Presenting, grid: ProbingGrid) -> ProbeSamples:
     """Probe the grid line by line, then some points between its nodes; each line is kept at once.
 
+    Before and after, with the blade away from the wheel, the head is read at its stop.
+
     Raises:
         DeviceError: a device failed or refused, or nobody wants the motion.
         Cancelled: the job was cancelled; the lines probed before stay in the session.
     """
     u, v = grid.u(), grid.v()
     _ask(context, presenting, u, v)
+    head_rest.acquire(context, "error_surface", presenting.grinder)
     lines = [(u if number % 2 == 0 else u[::-1], np.full(len(u), position)) for number, position in enumerate(v)]
     for number, (line_u, line_v) in enumerate(lines):
         context.job.report(number / (len(v) + CHECK_LINES), f"probing line {number + 1} of {len(v)}")
@@ -95,6 +100,8 @@ def acquire(context: Context, presenting: Presenting, grid: ProbingGrid) -> Prob
         context.job.report((len(v) + number) / (len(v) + CHECK_LINES), f"check line {number + 1} of {CHECK_LINES}")
         angles = _probe(context, presenting, line_u, line_v, readings=CHECK_READINGS)
         _keep(context, presenting.grinder, CHECK, line_u, line_v, angles)
+    context.move(context.plan.fine_step[0].base_from_flange, "away from the wheel, back to the scanning pose")
+    head_rest.acquire(context, "error_surface", presenting.grinder)
     return read(context.session)
 
 
@@ -150,7 +157,8 @@ def read(session: Session) -> ProbeSamples:
     """The probed points as they were kept."""
     grid, check = (_joined(session, kind) for kind in (LINE, CHECK))
     first = session.samples("error_surface", LINE)[0]
-    return ProbeSamples(first.data["grinder"], grid, check)
+    grinder = first.data["grinder"]
+    return ProbeSamples(grinder, grid, check, head_rest.read(session, "error_surface").get(grinder, ()))
 
 
 def _joined(session: Session, kind: str) -> Probe:

@@ -10,6 +10,7 @@ import numpy as np
 from beltgui.steps.blocks import plain, verdict_block
 from beltgui.steps.error_surface.probing import Presenting, Probe, ProbeSamples
 from beltgui.steps.error_surface.record import record as surface_record
+from beltgui.steps.head_rest import HeadRest
 from beltgui.steps.held_out import HeldOut
 from core.cad.blade_type import ProbingGrid
 from core.error_surface import (
@@ -42,11 +43,13 @@ class ErrorSurfaceOutcome:
     Attributes:
         surface: Normal error over (u, v).
         held_out: Errors at points between the grid's nodes that the fit has not seen.
+        head_rest: Whether the angle sensor's zero is where the tool step found it.
         verdict: Of all of it.
     """
 
     surface: ErrorSurface
     held_out: HeldOut
+    head_rest: HeadRest
     verdict: Verdict
 
 
@@ -66,6 +69,7 @@ def solve(
     normal_in_tool: np.ndarray,
     info: dict[str, str],
     clamping: Verdict,
+    rests_in_tool_step_rad: tuple[float, ...],
 ) -> ErrorSurfaceOutcome:
     """Fit the surface to the grid and check it between the nodes.
 
@@ -75,6 +79,7 @@ def solve(
         normal_in_tool: (3,) airfoil's outward normal at the contact, in {H}.
         info: Blade type, grinder and the like, kept with the surface.
         clamping: Verdict of the registration that the probing stands on.
+        rests_in_tool_step_rad: What the angle sensor read at the head's stop in the tool step.
 
     Raises:
         InputError: too few samples, or they determine no surface.
@@ -86,12 +91,14 @@ def solve(
     predicted = surface.evaluate(samples.check.u, samples.check.v)
     known = np.isfinite(check) & np.isfinite(predicted)
     held_out = HeldOut("normal error between the samples", np.abs(check - predicted)[known], HELD_OUT_LIMIT_MM)
+    rest = HeadRest(samples.grinder, radius_mm, rests_in_tool_step_rad, samples.rests_rad)
     reasons = [
         *clamping.reasons,
+        *rest.reasons(),
         *judge_error_surface(surface, ErrorSurfaceLimits()).reasons,
         *held_out.reasons("Probe a finer grid, and see that the head moves freely."),
     ]
-    return ErrorSurfaceOutcome(surface, held_out, Verdict.of(reasons))
+    return ErrorSurfaceOutcome(surface, held_out, rest, Verdict.of(reasons))
 
 
 def _errors(probe: Probe, radius_mm: float, normal_in_tool: np.ndarray) -> np.ndarray:
@@ -138,5 +145,6 @@ def record(outcome: ErrorSurfaceOutcome) -> dict[str, Any]:
     return {
         **surface_record(outcome.surface, outcome.verdict),
         "held_out": plain(outcome.held_out.block()),
+        "head_rest": plain(outcome.head_rest.block()),
         "verdict": verdict_block(outcome.verdict),
     }

@@ -20,11 +20,14 @@ from core.cad.blade_type import BladeType
 from core.errors import InputError
 from core.fine import FineFit, FineLimits, judge_fine, solve_fine
 from core.frames import inverse, transform_points
-from core.verdict import Verdict
+from core.verdict import Code, Reason, Verdict, above
 
 Array = NDArray[np.float64]
 # A robot that stood still reports the same pose but for its encoders' last digits.
 STANDSTILL_MM = 0.01
+# A blade that stays in its clamp is found in the same place twice, but for the noise of both registrations.
+UNMOVED_MM = 0.05
+SIGMAS = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +38,15 @@ class FineOutcome:
         fit: Pose of the blade in {M}.
         flange_from_work: (4, 4) the blade in the flange.
         base_from_flange: (4, 4) where the flange was during the scans.
+        moved_mm: How far the blade's ends and middle are at most from where earlier scans of the same clamping found
+            them; None if there were none.
         verdict: Of the fit, its held-out checks included.
     """
 
     fit: FineFit
     flange_from_work: Array
     base_from_flange: Array
+    moved_mm: float | None
     verdict: Verdict
 
 
@@ -83,6 +89,8 @@ def solve(
     model: CadModel,
     blade: BladeType,
     start: Array,
+    *,
+    unmoved_since: Array | None = None,
 ) -> FineOutcome:
     """Register the scans to the model's faces.
 
@@ -93,6 +101,8 @@ def solve(
         model: The blade's CAD model.
         blade: Its type: faces and limits.
         start: (4, 4) measure_from_work, roughly.
+        unmoved_since: (4, 4) measure_from_work by other scans of the same clamping, as exact as these. Two scans that
+            see different faces say little about a blade that slips between them; other scans do.
 
     Raises:
         InputError: the scans do not determine the pose, or do not show this blade.
@@ -101,7 +111,28 @@ def solve(
     face_ids = [face.id for face in model.select(blade.registration_faces)]
     fit = solve_fine(model, in_measure(samples, stage), start, face_ids=face_ids)
     flange_from_work = inverse(base_from_flange) @ base.base_from_measure @ fit.measure_from_work
-    return FineOutcome(fit, flange_from_work, base_from_flange, judge_fine(fit, limits_of(blade)))
+    moved_mm = None if unmoved_since is None else _moved_mm(fit, unmoved_since)
+    reasons = [*judge_fine(fit, limits_of(blade)).reasons, *_judge_moved(fit, moved_mm)]
+    return FineOutcome(fit, flange_from_work, base_from_flange, moved_mm, Verdict.of(reasons))
+
+
+def _moved_mm(fit: FineFit, earlier: Array) -> float:
+    ends = fit.ends_in_work_mm
+    apart = transform_points(fit.measure_from_work, ends) - transform_points(earlier, ends)
+    return float(np.linalg.norm(apart, axis=1).max())
+
+
+def _judge_moved(fit: FineFit, moved_mm: float | None) -> list[Reason]:
+    if moved_mm is None:
+        return []
+    chance = SIGMAS * np.sqrt(2.0) * float(fit.point_sigma_mm.max())
+    return above(
+        Code.HELD_OUT_ERROR,
+        moved_mm,
+        max(UNMOVED_MM, chance),
+        "The distance of the blade from where the scans of the rough step found it",
+        "It has slipped in its clamp, or robot or stage have moved: fasten it and begin again with the rough step.",
+    )
 
 
 def limits_of(blade: BladeType) -> FineLimits:
@@ -124,5 +155,6 @@ def record(outcome: FineOutcome) -> dict[str, Any]:
         **fit_record(outcome.fit, outcome.verdict),
         "flange_from_work": pose_block(outcome.flange_from_work),
         "base_from_flange_at_scan": plain(outcome.base_from_flange),
+        "moved_since_rough_mm": plain(outcome.moved_mm),
         "verdict": verdict_block(outcome.verdict),
     }

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beltgui.session import Session
-from beltgui.steps.blocks import plain, verdict_block
+from beltgui.steps import head_rest
+from beltgui.steps.blocks import degrees, plain, verdict_block
 from beltgui.steps.context import Context
 from beltgui.steps.held_out import HeldOut, split
 from beltgui.steps.tool.record import stylus_record, wheel_record
@@ -59,10 +60,12 @@ class ToolSamples:
     Attributes:
         cone: (4, 4) each, base_from_flange with the tip in the cone.
         shafts: Touches of all grinders.
+        rests_rad: Head angles at the stop, by grinder.
     """
 
     cone: tuple[Array, ...]
     shafts: tuple[ShaftTouch, ...]
+    rests_rad: Mapping[str, tuple[float, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +77,7 @@ class ToolOutcome:
         cone_held_out: Pivot by touches kept out.
         wheels: {H} of each grinder.
         shafts_held_out: Of each grinder: the centre mark by touches kept out.
+        rests_rad: What each head's sensor reads at the stop, for as long as its zero stays where it is.
         verdict: Of all of it.
     """
 
@@ -81,6 +85,7 @@ class ToolOutcome:
     cone_held_out: HeldOut
     wheels: Mapping[str, WheelFit]
     shafts_held_out: Mapping[str, HeldOut]
+    rests_rad: Mapping[str, tuple[float, ...]]
     verdict: Verdict
 
 
@@ -98,6 +103,7 @@ def acquire(context: Context) -> ToolSamples:
         context.session.add_sample("tool", CONE, data)
         done += 1
     for name, grinder in context.plan.grinders.items():
+        head_rest.acquire(context, "tool", name)
         for angle_rad in grinder.touch_angles_rad:
             context.job.report(done / total, f"grinder {name}: shaft at {np.degrees(angle_rad):+.0f} degrees")
             operator.perform(TouchShaft(name, angle_rad, grinder.touch_from_flange))
@@ -121,7 +127,7 @@ def read(session: Session) -> ToolSamples:
         ShaftTouch(s.data["grinder"], s.data["angle_rad"], np.array(s.data["base_from_flange"]))
         for s in session.samples("tool", SHAFT)
     )
-    return ToolSamples(cone, shafts)
+    return ToolSamples(cone, shafts, head_rest.read(session, "tool"))
 
 
 def solve(samples: ToolSamples, grinders: Mapping[str, GrinderPlan]) -> ToolOutcome:
@@ -153,7 +159,7 @@ def solve(samples: ToolSamples, grinders: Mapping[str, GrinderPlan]) -> ToolOutc
             *shafts_held_out[name].reasons("Touch the centre mark again; see that the head was held still."),
         ]
         reasons += [Reason(reason.code, f"Grinder {name}: {reason.message}") for reason in found]
-    return ToolOutcome(stylus, cone_held_out, wheels, shafts_held_out, Verdict.of(reasons))
+    return ToolOutcome(stylus, cone_held_out, wheels, shafts_held_out, samples.rests_rad, Verdict.of(reasons))
 
 
 def _solve_wheel(touches: Sequence[ShaftTouch], stylus: StylusFit, plan: GrinderPlan) -> tuple[WheelFit, HeldOut]:
@@ -186,5 +192,6 @@ def record(outcome: ToolOutcome) -> dict[str, Any]:
         "cone_held_out": plain(outcome.cone_held_out.block()),
         "wheels": {name: wheel_record(fit, Verdict()) for name, fit in outcome.wheels.items()},
         "shafts_held_out": {name: plain(held.block()) for name, held in outcome.shafts_held_out.items()},
+        "head_rests_deg": {name: degrees(angles) for name, angles in outcome.rests_rad.items()},
         "verdict": verdict_block(outcome.verdict),
     }
