@@ -16,7 +16,7 @@ class FineLimits:
 
     Attributes:
         rms_mm: Of the points used.
-        min_points_per_face: Of a face that has a say; faces with fewer reject the result.
+        min_points_per_face: Of a face that the caller named. Where all faces were taken, a small one harms nothing.
         min_faces: Faces that have a say.
         point_sigma_mm: One sigma of the position at both ends and in the middle.
         held_out_mm: Largest mean distance of a face under the pose of the others.
@@ -45,7 +45,7 @@ def judge_fine(fit: FineFit, limits: FineLimits | None = None) -> Verdict:
     if len(used) < limits.min_faces:
         reasons.append(Reason(Code.NOT_ENOUGH_VARIATION, f"Only {len(used)} faces have points, at least "
                               f"{limits.min_faces} are needed. Scan more faces of the blade."))
-    few = [face for face in used if face.points < limits.min_points_per_face]
+    few = [face for face in used if face.points < limits.min_points_per_face] if fit.faces_named else []
     if few:
         names = ", ".join(f"{face.name or face.id} ({face.points})" for face in few)
         reasons.append(Reason(Code.NOT_ENOUGH_POINTS, f"Faces with fewer than {limits.min_points_per_face} points: "

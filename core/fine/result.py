@@ -54,6 +54,7 @@ class FineFit:
         measure_from_work: 4x4.
         covariance: Of its error, in M, about the middle of the points.
         faces: All faces asked for (or all that can be used), in the order of their ids.
+        faces_named: True where the caller chose the faces, False where all that had points were taken.
         sigma_mm: Robust scatter of a point along the normal, over all faces.
         rms_mm: Root mean square distance of the points used.
         points: Points in the scan.
@@ -72,6 +73,7 @@ class FineFit:
     measure_from_work: Array
     covariance: PoseCovariance
     faces: tuple[FaceResult, ...]
+    faces_named: bool
     sigma_mm: float
     rms_mm: float
     points: int

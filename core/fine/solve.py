@@ -47,11 +47,11 @@ def solve_fine(model: CadModel, scans: Sequence[Array], start: Array, *, face_id
     asked_for = face_ids is not None
     result = estimate(targets, points, found, settings, asked_for=asked_for)
     check_geometry(result, model, settings)
-    return _assembled(model, start, faces, result, found, len(points), settings)
+    return _assembled(model, start, faces, asked_for, result, found, len(points), settings)
 
 
-def _assembled(model: CadModel, start: Array, faces: Sequence[CadFace], result: Estimate, found: Capture, count: int,
-               settings: FineSettings) -> FineFit:
+def _assembled(model: CadModel, start: Array, faces: Sequence[CadFace], named: bool, result: Estimate, found: Capture,
+               count: int, settings: FineSettings) -> FineFit:
     ends = ends_of(model)
     in_measure = transform_points(result.measure_from_work, ends)
     covariance = PoseCovariance(result.covariance, result.centre)
@@ -60,6 +60,7 @@ def _assembled(model: CadModel, start: Array, faces: Sequence[CadFace], result: 
         measure_from_work=result.measure_from_work,
         covariance=covariance,
         faces=face_results(faces, result, held_out_means(result)),
+        faces_named=named,
         sigma_mm=result.sigma_mm,
         rms_mm=result.rms_mm,
         points=count,

@@ -1,5 +1,6 @@
 """The fine step as a whole: truth, scan, pose; and everything that must be refused."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -123,9 +124,12 @@ def test_points_are_assigned_to_faces(dr95, scene, fit):
 
 
 def test_limits_of_the_blade_type_are_judged(fit):
-    verdict = judge_fine(fit, FineLimits(rms_mm=0.01, point_sigma_mm=1e-5, min_points_per_face=100_000))
+    verdict = judge_fine(fit, FineLimits(rms_mm=0.01, point_sigma_mm=1e-5, min_faces=99))
     assert {reason.code for reason in verdict.reasons} == {Code.HIGH_RESIDUAL, Code.HIGH_UNCERTAINTY,
-                                                           Code.NOT_ENOUGH_POINTS}
+                                                           Code.NOT_ENOUGH_VARIATION}
+    named = replace(fit, faces_named=True)
+    assert [reason.code for reason in judge_fine(named, FineLimits(min_points_per_face=100_000)).reasons] == [
+        Code.NOT_ENOUGH_POINTS]
 
 
 def test_the_wrong_blade_type_is_refused(scene):
