@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from beltgui.steps.blocks import plain
 from beltgui.steps.sources import RecordedSource
 from beltgui.steps.state import STEPS
 from core.cad import read_step
-from core.cad.blade_type import read_blade_type
+from core.cad.blade_type import BladeType, read_blade_type
 from core.errors import InputError
 from devices.cell_plan import CellFileError, read_plan
 
@@ -95,7 +95,7 @@ def replay_session(folder: Path, job: Job | None = None) -> Replay:
             raise InputError(f"{folder}: the session has no finished step, there is nothing to compare with.")
         inputs = folder / INPUTS
         blade_file, cell_file = inputs / _text(info, "blade", folder), inputs / _text(info, "cell", folder)
-        blade = read_blade_type(blade_file)
+        blade = _as_probed(read_blade_type(blade_file), info)
         try:
             plan = read_plan(cell_file)
         except CellFileError as error:
@@ -113,6 +113,14 @@ def replay_session(folder: Path, job: Job | None = None) -> Replay:
             on_step=lambda event: None,
         ).run(outcomes, only=tuple(kept))  # fmt: skip
     return Replay(info, tuple(steps), outcomes, (folder / "session.db", blade_file, cell_file, blade.step_path))
+
+
+def _as_probed(blade: BladeType, info: Mapping[str, Any]) -> BladeType:
+    """The type with the grid that was probed: the programs' strokes lie on its lines."""
+    if "probing_grid" not in info:
+        return blade
+    u_count, v_count = info["probing_grid"]
+    return replace(blade, probing=replace(blade.probing, u_count=u_count, v_count=v_count))
 
 
 def _text(info: Mapping[str, Any], key: str, folder: Path) -> str:

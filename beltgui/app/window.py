@@ -29,15 +29,28 @@ class MainWindow(QMainWindow):
         config: Cell file; None takes the simulated cell's own.
         blade_type: Which of the blade types to show and to commission with.
         out_dir: Where the session and the report go; None makes a new folder for each run.
+        resolution: Of the simulated scanner.
+        grid: Probing points in u and v; None takes the blade type's own.
     """
 
-    def __init__(self, *, config: Path | None = None, blade_type: str = "dr95", out_dir: Path | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        config: Path | None = None,
+        blade_type: str = "dr95",
+        out_dir: Path | None = None,
+        resolution: int | str = "demo",
+        grid: tuple[int, int] | None = None,
+    ) -> None:
         super().__init__()
+        self._resolution = resolution
+        self._grid = grid
         self._config = config
         self._blade_type = blade_type
         self._out_dir = out_dir
         self._workers: list[Worker] = []
         self._report: Path | None = None
+        self._closed = False
         self.setWindowTitle("beltcal — simulated cell")
         self.resize(1280, 800)
         self._build()
@@ -99,7 +112,8 @@ class MainWindow(QMainWindow):
         self._say("Commissioning the simulated cell.", "#0b5ed7")
 
         def work(job: Job, on_step: Any) -> DemoResult:
-            return run_demo(folder, blade_type=self._blade_type, config=self._config, job=job, on_step=on_step)
+            return run_demo(folder, blade_type=self._blade_type, config=self._config, resolution=self._resolution,
+                            grid=self._grid, job=job, on_step=on_step)  # fmt: skip
 
         self._run(work, self._show_result)
 
@@ -138,6 +152,8 @@ class MainWindow(QMainWindow):
             self._show_idle(f"✖ Rejected. {result.headline}", "#b02a37")
 
     def _show_blade(self, mesh: Any) -> None:
+        if self._closed:
+            return  # what a worker sent at its very end arrives after the view has gone
         self.view.plotter.add_mesh(mesh, name="blade", color="#adb5bd", smooth_shading=True, split_sharp_edges=True)
         self.view.plotter.add_text(f"Blade type {self._blade_type.upper()}, {{W}}, mm", name="label", font_size=9,
                                    color="#212529")
@@ -168,6 +184,7 @@ class MainWindow(QMainWindow):
         self.cancel()
         for worker in self._workers:
             worker.wait()
+        self._closed = True
         self.view.shut_down()
         super().closeEvent(event)
 

@@ -22,6 +22,8 @@ from beltgui.steps.sources import LiveSource
 from beltgui.steps.state import StepEvent, StepState
 from core.cad import CadModel, read_step
 from core.cad.blade_type import BladeType, read_blade_type
+from core.errors import InputError
+from devices.cell_plan import CellFileError
 from resources import blade_type_path, resource_path
 
 GRINDER = "fine"
@@ -88,6 +90,7 @@ def run_demo(
         Cancelled: the job was cancelled.
     """
     from devices.sim import build_simulated_cell
+    from devices.sim.blade import BladeFileError
 
     work = job or Job()
     blade = read_blade_type(blade_type_path(blade_type))
@@ -95,13 +98,17 @@ def run_demo(
         blade = replace(blade, probing=replace(blade.probing, u_count=grid[0], v_count=grid[1]))
     cell_file = config or resource_path("cells", "simulated.toml")
     model = read_step(blade.step_path)
-    simulated = build_simulated_cell(cell_file, blade.step_path, seed=seed, resolution=resolution)
+    try:
+        simulated = build_simulated_cell(cell_file, blade.step_path, seed=seed, resolution=resolution)
+    except (CellFileError, BladeFileError) as error:
+        raise InputError(str(error)) from error
     table = TruthTable(simulated.truth, simulated.plan, model, GRINDER)
     date = datetime.now(UTC).date().isoformat()
     serial = f"{blade.name}-0001"
     folder = out_dir / SESSION
     info = {"software": __version__, "blade": blade.path.name, "cell": cell_file.name, "serial": serial,
-            "grinder": GRINDER, "date": date, "simulated": True, "seed": seed}  # fmt: skip
+            "grinder": GRINDER, "date": date, "simulated": True, "seed": seed,
+            "probing_grid": [blade.probing.u_count, blade.probing.v_count]}  # fmt: skip
     with Session.create(folder, info) as session:
         _keep_inputs(folder / INPUTS, cell_file, blade)
         found = Commissioning()

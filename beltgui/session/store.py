@@ -164,6 +164,20 @@ class Session:
         ).fetchall()
         return [Sample(number, of, sort, json.loads(data), cloud) for number, of, sort, data, cloud in rows]
 
+    def kept(self, step: str, kind: str) -> list[Sample]:
+        """The same, for a step that cannot do without them.
+
+        Raises:
+            InputError: there are none.
+        """
+        samples = self.samples(step, kind)
+        if not samples:
+            raise InputError(
+                f"{self.folder}: the session has no sample '{kind}' of the step '{step}'; it is not whole. Take the "
+                "session from where it was copied, or run the step again."
+            )
+        return samples
+
     def points(self, sample: Sample) -> NDArray[np.float64]:
         """The points (N, 3) in mm of a sample that has a cloud, float64, only finite ones.
 

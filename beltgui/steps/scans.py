@@ -82,8 +82,12 @@ def _take(context: Context, step: str, pose: ScanPose) -> ScanSample:
 
 
 def read_scans(session: Session, step: str) -> list[ScanSample]:
-    """The scans of a step as they were kept."""
-    return [_from_sample(session, sample) for sample in session.samples(step, KIND)]
+    """The scans of a step as they were kept.
+
+    Raises:
+        InputError: there are none, or a cloud is gone or damaged.
+    """
+    return [_from_sample(session, sample) for sample in session.kept(step, KIND)]
 
 
 def _from_sample(session: Session, sample: Sample) -> ScanSample:

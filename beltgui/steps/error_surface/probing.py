@@ -154,15 +154,19 @@ def _keep(context: Context, grinder: str, kind: str, u: Array, v: Array, angles:
 
 
 def read(session: Session) -> ProbeSamples:
-    """The probed points as they were kept."""
+    """The probed points as they were kept.
+
+    Raises:
+        InputError: there are none.
+    """
     grid, check = (_joined(session, kind) for kind in (LINE, CHECK))
-    first = session.samples("error_surface", LINE)[0]
+    first = session.kept("error_surface", LINE)[0]
     grinder = first.data["grinder"]
     return ProbeSamples(grinder, grid, check, head_rest.read(session, "error_surface").get(grinder, ()))
 
 
 def _joined(session: Session, kind: str) -> Probe:
-    samples = session.samples("error_surface", kind)
+    samples = session.kept("error_surface", kind)
     columns = {
         key: np.array([value for sample in samples for value in sample.data[key]], dtype=float)
         for key in ("u", "v", "angle_rad")

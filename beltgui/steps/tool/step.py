@@ -121,11 +121,15 @@ def acquire(context: Context) -> ToolSamples:
 
 
 def read(session: Session) -> ToolSamples:
-    """The touches as they were kept."""
-    cone = tuple(np.array(sample.data["base_from_flange"]) for sample in session.samples("tool", CONE))
+    """The touches as they were kept.
+
+    Raises:
+        InputError: there are none.
+    """
+    cone = tuple(np.array(sample.data["base_from_flange"]) for sample in session.kept("tool", CONE))
     shafts = tuple(
         ShaftTouch(s.data["grinder"], s.data["angle_rad"], np.array(s.data["base_from_flange"]))
-        for s in session.samples("tool", SHAFT)
+        for s in session.kept("tool", SHAFT)
     )
     return ToolSamples(cone, shafts, head_rest.read(session, "tool"))
 
