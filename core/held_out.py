@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import f as fisher
 
 Array = NDArray[np.float64]
 
 # Below this share left over, the others predict that direction of an observation 30 times worse than it is measured:
 # it is the only witness there, and its error would be noise blown up.
 _SOLE_WITNESS = 1e-3
+# Chance per fit that a good observation is called bad.
+FALSE_ALARM = 1e-3
 
 
 def held_out_residuals(
@@ -50,3 +53,29 @@ def held_out_residuals(
         whitened = along @ ((along.T @ (root @ residuals[index].ravel())) / left_over[seen])
         errors[index] = np.linalg.solve(root, whitened).reshape(-1, k)
     return errors, unpredicted
+
+
+def odd_one_out(drops: Array, squares: float, redundancy: int, size: int = 3) -> int | None:
+    """The observation that all others contradict, if there is one.
+
+    F test of the deletion (Cook & Weisberg 1982, sec. 2.2.2) against the noise that is left without it, Bonferroni over
+    the observations: a slip shows even where it stays within limits wide enough for a
+    robot.
+
+    Args:
+        drops: (N,) by how much the weighted squares fall when the observation is left out.
+        squares: Weighted sum of squares of all.
+        redundancy: Number of equations beyond the number of unknowns.
+        size: Equations of one observation.
+
+    Returns:
+        Its index, or None.
+    """
+    left = redundancy - size
+    worst = int(np.argmax(drops))
+    drop = float(drops[worst])
+    if left <= 0 or not drop > 0.0:
+        return None
+    variance = max(squares - drop, 0.0) / left
+    odd = drop > size * float(fisher.isf(FALSE_ALARM / len(drops), size, left)) * variance
+    return worst if odd else None

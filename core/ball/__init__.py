@@ -2,7 +2,8 @@
 
 from core.ball.judge import SphereLimits, StageLimits, judge_sphere, judge_stage
 from core.ball.sphere import SphereFit, fit_sphere
-from core.ball.stage import RotaryAxis, StageFit, StageObservations, paper_axes, solve_stage
+from core.ball.stage import RotaryAxis, StageFit, paper_axes, solve_stage
+from core.ball.stage_checks import StageObservations
 
 __all__ = [
     "RotaryAxis",

@@ -117,20 +117,25 @@ class StageLimits:
     Attributes:
         max_rms_mm: RMS length of the residuals.
         max_leave_one_out_mm: Largest leave-one-out error.
+        max_outlier_mm: Largest leave-one-out error of an observation that the others contradict.
         max_squareness_rad: Largest deviation of a pair of axes from 90 degrees (0.5 degrees).
         max_scale_error: Largest deviation of mm moved per mm commanded from 1.
         max_point_sigma_mm: Uncertainty of the ball in {M}, worst direction.
         max_condition: Of all unknowns.
-        require_redundancy: True rejects a set of observations that leaves nothing to check.
+        require_redundancy: Reject a set of observations that leaves nothing to check; with one position for each axis
+            a slip of 0.5 mm turns an axis by 0.3 degrees and nothing shows it.
+        require_right_handed: Reject axes that are no right-handed set: one counts backwards or two are exchanged.
     """
 
     max_rms_mm: float = 0.1
     max_leave_one_out_mm: float = 0.3
+    max_outlier_mm: float = 0.1
     max_squareness_rad: float = 0.5 * np.pi / 180.0
     max_scale_error: float = 0.005
     max_point_sigma_mm: float = 0.1
     max_condition: float = 1e3
-    require_redundancy: bool = False
+    require_redundancy: bool = True
+    require_right_handed: bool = True
 
 
 def judge_stage(fit: StageFit, limits: StageLimits | None = None) -> Verdict:
@@ -145,6 +150,16 @@ def judge_stage(fit: StageFit, limits: StageLimits | None = None) -> Verdict:
         what = f"The error of observation {worst} predicted from the others"
         value = float(fit.leave_one_out_mm[worst])
         reasons += above(Code.HELD_OUT_ERROR, value, limits.max_leave_one_out_mm, what, repeat)
+    if fit.outlier is not None:
+        what = f"The error of observation {fit.outlier}, which the others contradict,"
+        value = float(fit.leave_one_out_mm[fit.outlier])
+        reasons += above(Code.HELD_OUT_ERROR, value, limits.max_outlier_mm, what, "Repeat it or leave it out.")
+    if limits.require_right_handed and np.linalg.det(fit.axes) < 0.0:
+        message = (
+            "The axes x, y, z form a left-handed set: one axis counts backwards, or two are exchanged. Check the signs "
+            "and the order of stage_mm and of the ball centres."
+        )
+        reasons.append(Reason(Code.WRONG_MODEL, message))
     for pair, angle in zip(("xy", "yz", "zx"), fit.squareness_rad, strict=True):
         degrees = float(np.degrees(abs(angle)))
         limit = float(np.degrees(limits.max_squareness_rad))

@@ -8,40 +8,28 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from core.ball.stage_checks import (
+    AXIS_NAMES,
+    STILL_MM,
+    STILL_RAD,
+    StageObservations,
+    check_independent,
+    check_needed_axes,
+    checked_observations,
+    moved_names,
+)
 from core.ball.stage_model import StageModel, solve_model
 from core.conditioning import Conditioning, analyse
 from core.errors import FitError, InputError
 from core.frames import PoseCovariance, rigid, rotation_from_rotvec, rotvec_from_rotation
+from core.held_out import odd_one_out
 from core.verdict import Code
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-AXIS_NAMES = ("x", "y", "z")
-# Less travel than this, or less rotation, is a stage standing still.
-STILL_MM = 1e-3
-STILL_RAD = 1e-4
-# Moved axes whose positions follow each other closer than this (singular-value ratio) are not told apart.
-LEAST_INDEPENDENCE = 1e-3
 # Smallest singular-value ratio of the column-scaled Jacobian that still determines every unknown.
 LEAST_RATIO = 1e-6
-
-
-@dataclass(frozen=True)
-class StageObservations:
-    """Ball centres seen from several stage positions.
-
-    Attributes:
-        stage_mm: (N, 3) positions of the linear axes x, y, z in mm.
-        stage_rad: (N,) position of the rotary axis in rad.
-        ball_in_scanner_mm: (N, 3) ball centre in the scanner's frame.
-        sigma_mm: (N,) standard deviation of each coordinate of a centre, None if unknown.
-    """
-
-    stage_mm: Array
-    stage_rad: Array
-    ball_in_scanner_mm: Array
-    sigma_mm: Array | None = None
 
 
 @dataclass(frozen=True)
@@ -77,6 +65,7 @@ class StageFit:
         rms_mm: RMS length of the residuals.
         leave_one_out_mm: (N,) distance between an observation and its prediction from all others; NaN where the others
             do not determine it.
+        outlier: Index of the observation that the others contradict (F test of its deletion, 0.1 % per fit), or None.
         sigma_mm: Noise per coordinate estimated from the residuals, None without redundancy.
         redundancy: Number of equations beyond the number of unknowns.
         conditioning: Of all unknowns, scaled to equal effect on the data.
@@ -101,6 +90,7 @@ class StageFit:
     residuals_mm: Array
     rms_mm: float
     leave_one_out_mm: Array
+    outlier: int | None
     sigma_mm: float | None
     redundancy: int
     conditioning: Conditioning
@@ -163,19 +153,19 @@ def solve_stage(observations: StageObservations) -> StageFit:
         InputError: shapes, NaN, units.
         FitError: too few or dependent positions, an axis not moved that is needed, unknowns not determined.
     """
-    stage, angle, balls, sigma = _checked(observations)
+    stage, angle, balls, sigma = checked_observations(observations)
     moved = np.ptp(stage, axis=0) > STILL_MM
     turns = bool(np.ptp(angle) > STILL_RAD)
-    _check_needed_axes(moved, turns)
+    check_needed_axes(moved, turns)
     unknowns = 3 + 3 * int(moved.sum()) + (4 if turns else 0)
     needed = -(-unknowns // 3)
     if len(stage) < needed:
         raise FitError(
             f"Stage: found {len(stage)} ball observations, at least {needed} are needed for the axes that were moved "
-            f"({_moved_names(moved, turns)}). Add positions.",
+            f"({moved_names(moved, turns)}). Add positions.",
             Code.NOT_ENOUGH_POINTS,
         )
-    _check_independent(stage, moved)
+    check_independent(stage, moved)
     weights = np.ones(len(stage)) if sigma is None else 1.0 / sigma
     model, iterations, converged = solve_model(stage[:, moved], angle, balls, weights, rotary=turns)
     jacobian = (model.jacobian(stage[:, moved], angle) * weights[:, None, None]).reshape(-1, unknowns)
@@ -188,80 +178,14 @@ def solve_stage(observations: StageObservations) -> StageFit:
     inverse: Array = np.asarray(np.linalg.pinv(jacobian, rcond=1e-12), dtype=float)
     covariance = None if factor is None else factor * inverse @ inverse.T
     raw_sigma = float(np.sqrt(np.sum(residuals**2) / redundancy)) if redundancy else None
+    leave_one_out, drops = _leave_one_out(jacobian, inverse, residuals, weights)
     reference = 0.0 if turns else float(np.mean(angle))
     return _described(
         model, covariance, moved, reference,
         residuals=residuals,
-        leave_one_out=_leave_one_out(jacobian, inverse, residuals, weights),
+        leave_one_out=leave_one_out, outlier=odd_one_out(drops, float(whitened @ whitened), redundancy),
         sigma=raw_sigma, redundancy=redundancy, conditioning=conditioning, iterations=iterations, converged=converged,
     )  # fmt: skip
-
-
-def _checked(observations: StageObservations) -> tuple[Array, Array, Array, Array | None]:
-    stage = np.asarray(observations.stage_mm, dtype=float)
-    angle = np.asarray(observations.stage_rad, dtype=float)
-    balls = np.asarray(observations.ball_in_scanner_mm, dtype=float)
-    count = len(stage) if stage.ndim else 0
-    if stage.shape != (count, 3) or angle.shape != (count,) or balls.shape != (count, 3):
-        raise InputError(
-            f"Stage observations: expected positions (N, 3), angles (N,) and balls (N, 3), found {stage.shape}, "
-            f"{angle.shape} and {balls.shape}."
-        )
-    if count == 0:
-        raise InputError("Stage observations: there are none.", Code.NOT_ENOUGH_POINTS)
-    sigma = None if observations.sigma_mm is None else np.asarray(observations.sigma_mm, dtype=float)
-    bad = ~(np.isfinite(stage).all(axis=1) & np.isfinite(angle) & np.isfinite(balls).all(axis=1))
-    if bad.any():
-        raise InputError(f"Stage observation {int(np.argmax(bad))}: contains NaN or infinite numbers.")
-    if sigma is not None and (sigma.shape != (count,) or not (np.isfinite(sigma) & (sigma > 0.0)).all()):
-        raise InputError("Stage observations: expected one positive sigma in mm for each observation.")
-    if np.abs(angle).max() > 4.0 * np.pi:
-        worst = int(np.argmax(np.abs(angle)))
-        raise InputError(
-            f"Stage observation {worst}: the rotary angle is {angle[worst]:.4g} where rad are expected (more than two "
-            "turns). It looks like degrees."
-        )
-    travel, seen = float(np.linalg.norm(np.ptp(stage, axis=0))), float(np.linalg.norm(np.ptp(balls, axis=0)))
-    still = np.ptp(angle) <= STILL_RAD
-    if travel > STILL_MM and still and max(travel, seen) > 100.0 * min(travel, seen) and seen > 0.0:
-        which = "ball centres" if seen < travel else "stage positions"
-        raise InputError(
-            f"Stage observations: the stage moved over {travel:.4g} and the ball centres over {seen:.4g}, both "
-            f"expected in mm and about equal. The {which} look like metres."
-        )
-    return stage, angle, balls, sigma
-
-
-def _moved_names(moved: Mask, turns: bool) -> str:
-    names = [name for name, is_moved in zip(AXIS_NAMES, moved, strict=True) if is_moved]
-    return ", ".join([*names, "rotary"] if turns else names)
-
-
-def _check_needed_axes(moved: Mask, turns: bool) -> None:
-    if not moved.any() and not turns:
-        raise FitError(
-            "Stage: it stood still in all observations. Move axes x and y (and z) between the scans of the ball.",
-            Code.NOT_ENOUGH_VARIATION,
-        )
-    for axis in (0, 1):
-        if not moved[axis]:
-            raise FitError(
-                f"Stage: axis {AXIS_NAMES[axis]} was not moved, its direction is unknown. Add a scan of the ball with "
-                f"axis {AXIS_NAMES[axis]} moved.",
-                Code.NOT_ENOUGH_VARIATION,
-            )
-
-
-def _check_independent(stage: Array, moved: Mask) -> None:
-    travel = stage[:, moved] - stage[:, moved].mean(axis=0)
-    travel /= np.linalg.norm(travel, axis=0)
-    values = np.linalg.svd(travel, compute_uv=False)
-    if len(stage) <= travel.shape[1] or values[-1] < LEAST_INDEPENDENCE * values[0]:
-        raise FitError(
-            f"Stage: the axes {_moved_names(moved, False)} were only moved together (their positions lie on one line "
-            "or plane), so that their directions cannot be told apart. Add positions where each moves alone.",
-            Code.NOT_ENOUGH_VARIATION,
-        )
 
 
 def _check_determined(jacobian: Array, moved: Mask, turns: bool) -> Conditioning:
@@ -276,21 +200,26 @@ def _check_determined(jacobian: Array, moved: Mask, turns: bool) -> Conditioning
             return analyse(jacobian.T @ jacobian, 1.0 / size, names)
     advice = " The rotary axis needs at least three angles, or two with a linear move at each." if turns else ""
     raise FitError(
-        f"Stage: the positions do not determine the axes {_moved_names(moved, turns)}.{advice} Add positions.",
+        f"Stage: the positions do not determine the axes {moved_names(moved, turns)}.{advice} Add positions.",
         Code.NOT_ENOUGH_VARIATION,
     )
 
 
-def _leave_one_out(jacobian: Array, inverse: Array, residuals: Array, weights: Array) -> Array:
-    """Residual of each observation against the fit of the others: (I - H_ii)^-1 r_i, H the hat matrix."""
+def _leave_one_out(jacobian: Array, inverse: Array, residuals: Array, weights: Array) -> tuple[Array, Array]:
+    """Residual of each observation against the fit of the others, (I - H_ii)^-1 r_i with the hat matrix H, as a length.
+
+    Also by how much the weighted squares fall without it; NaN and 0 where the others do not determine it.
+    """
     count = len(residuals)
-    out = np.full(count, np.nan)
+    out, drops = np.full(count, np.nan), np.zeros(count)
     for i in range(count):
         rows = slice(3 * i, 3 * i + 3)
         left = np.eye(3) - jacobian[rows] @ inverse[:, rows]
         if np.linalg.eigvalsh(0.5 * (left + left.T))[0] > 1e-6:
-            out[i] = np.linalg.norm(np.linalg.solve(left, residuals[i] * weights[i])) / weights[i]
-    return out
+            white = residuals[i] * weights[i]
+            missed = np.linalg.solve(left, white)
+            out[i], drops[i] = np.linalg.norm(missed) / weights[i], missed @ white
+    return out, drops
 
 
 def _gauge(model: StageModel, moved: Mask) -> tuple[Array, Array]:
@@ -353,6 +282,7 @@ def _described(
     *,
     residuals: Array,
     leave_one_out: Array,
+    outlier: int | None,
     sigma: float | None,
     redundancy: int,
     conditioning: Conditioning,
@@ -389,6 +319,7 @@ def _described(
         residuals_mm=residuals,
         rms_mm=float(np.sqrt(np.mean(np.sum(residuals**2, axis=1)))),
         leave_one_out_mm=leave_one_out,
+        outlier=outlier,
         sigma_mm=sigma,
         redundancy=redundancy,
         conditioning=conditioning,

@@ -18,6 +18,7 @@ class BaseLimits:
         rms_mm: RMS residual.
         leave_one_out_mm: RMS of the held-out errors.
         worst_leave_one_out_mm: Largest held-out error of a single observation.
+        outlier_mm: Largest held-out error of an observation that the others contradict.
         position_sigma_mm: Largest standard deviation, over directions, of the pose at the centroid of the balls.
         rotation_sigma_rad: Largest standard deviation of the rotation, over axes.
         ball_sigma_mm: Largest standard deviation of the ball offset, over directions.
@@ -29,6 +30,7 @@ class BaseLimits:
     rms_mm: float = 0.5
     leave_one_out_mm: float = 1.0
     worst_leave_one_out_mm: float = 2.0
+    outlier_mm: float = 0.3
     position_sigma_mm: float = 0.5
     rotation_sigma_rad: float = 2e-3
     ball_sigma_mm: float = 0.5
@@ -87,6 +89,13 @@ def _judge_held_out(fit: BaseFit, use: BaseLimits, worst: str) -> list[Reason]:
     rms = float(np.sqrt(np.mean(errors**2)))
     advice = f"Look at {worst} first; repeat it or add poses."
     held = Code.HELD_OUT_ERROR
-    return above(held, rms, use.leave_one_out_mm, "The RMS held-out error", advice) + above(
+    odd = above(
+        held,
+        float(fit.leave_one_out_mm[fit.outlier]),
+        use.outlier_mm,
+        f"The held-out error of observation {fit.outlier} (counted from 0), which the others contradict,",
+        "Repeat it or leave it out.",
+    ) if fit.outlier is not None else []
+    return odd + above(held, rms, use.leave_one_out_mm, "The RMS held-out error", advice) + above(
         held, float(errors.max()), use.worst_leave_one_out_mm, "The largest held-out error", advice
     )

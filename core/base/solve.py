@@ -15,7 +15,7 @@ from core.conditioning import Conditioning, analyse
 from core.errors import FitError, InputError
 from core.flange_poses import pose_groups
 from core.frames import PoseCovariance, perturbed, rigid, skew, transform_points
-from core.held_out import held_out_residuals
+from core.held_out import held_out_residuals, odd_one_out
 from core.verdict import Code
 
 Array = NDArray[np.float64]
@@ -48,6 +48,7 @@ class BaseFit:
         unchecked_directions: (N,) number of directions, 0 to 3, in which the other poses cannot predict that ball: a
             mistake there would not show.
         worst: Index of the observation without whose pose the others agree best.
+        outlier: Index of the observation that the others contradict (F test of its deletion, 0.1 % per fit), or None.
         conditioning: of the nine unknowns, rotations scaled by `lever_arm_mm`.
         lever_arm_mm: RMS distance of the ball centres from their centroid.
         observation_covariance_mm2: (N, 3, 3) in B, noise assumed or estimated per residual.
@@ -68,6 +69,7 @@ class BaseFit:
     leave_one_out_mm: Array
     unchecked_directions: NDArray[np.int64]
     worst: int
+    outlier: int | None
     conditioning: Conditioning
     lever_arm_mm: float
     observation_covariance_mm2: Array
@@ -222,6 +224,9 @@ def _report(problem: _Problem, state: _State, sigma: float) -> BaseFit:
     held_out, unpredicted = held_out_residuals(jacobian, weights, joint, residuals, groups)
     # The weighted squares fall by e.W.r when a pose with residual r and held-out residual e is left out.
     drop = np.nan_to_num(np.einsum("ni,nij,nj->n", held_out, weights, residuals))
+    alone = held_out_residuals(jacobian, weights, joint, residuals, np.arange(len(residuals), dtype=np.int64))[0]
+    drops = np.nan_to_num(np.einsum("ni,nij,nj->n", alone, weights, residuals))
+    squares = float(np.einsum("ni,nij,nj->", residuals, weights, residuals))
     return BaseFit(
         base_from_measure=state.base_from_measure,
         ball_in_flange_mm=state.ball,
@@ -233,6 +238,7 @@ def _report(problem: _Problem, state: _State, sigma: float) -> BaseFit:
         leave_one_out_mm=np.linalg.norm(held_out, axis=1),
         unchecked_directions=unpredicted,
         worst=int(np.argmax(drop)),
+        outlier=odd_one_out(drops, squares, problem.degrees_of_freedom),
         conditioning=_conditioning(problem, state),
         lever_arm_mm=_lever_arm(problem.balls),
         observation_covariance_mm2=covariances,

@@ -18,6 +18,7 @@ class StylusLimits:
     Attributes:
         rms_mm: RMS length of the residuals.
         leave_one_out_mm: Largest held-out error of a single touch.
+        outlier_mm: Largest held-out error of a touch that the others contradict.
         tip_sigma_mm: Largest standard deviation of the tip, over directions.
         turn_rad: Smallest accepted largest angle between two orientations (20 deg).
         condition: Largest condition number of tip and pivot together.
@@ -28,6 +29,7 @@ class StylusLimits:
 
     rms_mm: float = 0.3
     leave_one_out_mm: float = 0.8
+    outlier_mm: float = 0.2
     tip_sigma_mm: float = 0.2
     turn_rad: float = 0.35
     condition: float = 50.0
@@ -46,6 +48,10 @@ def judge_stylus(fit: StylusFit, limits: StylusLimits | None = None) -> Verdict:
     errors = fit.leave_one_out_mm[fit.used & np.isfinite(fit.leave_one_out_mm)]
     largest = float(errors.max()) if len(errors) else 0.0
     reasons += above(Code.HELD_OUT_ERROR, largest, use.leave_one_out_mm, "The largest held-out error", worst)
+    if fit.outlier is not None:
+        what = f"The held-out error of touch {fit.outlier} (counted from 0), which the others contradict,"
+        odd = float(fit.leave_one_out_mm[fit.outlier])
+        reasons += above(Code.HELD_OUT_ERROR, odd, use.outlier_mm, what, "Repeat it or leave it out.")
     sigma = float(np.sqrt(np.linalg.eigvalsh(fit.tip_covariance_mm2)[-1]))
     reasons += above(Code.HIGH_UNCERTAINTY, sigma, use.tip_sigma_mm, "The standard deviation of the tip", weak)
     if not fit.turn_rad >= use.turn_rad:
@@ -107,7 +113,8 @@ class WheelLimits:
         radius_sigma_mm: Standard deviation of a fitted radius.
         radius_error_mm: Largest difference between a given radius and what the data say, if beyond three sigma.
         angle_scale_error: Largest deviation of the sensor's scale from 1, if beyond three sigma.
-        different_touches: Fewest touches at different places; four allow each to be checked by the others.
+        different_touches: Fewest touches at different places; four allow each to be checked by the others, with three a
+            slip of 2 mm turns the axis by degrees and nothing shows it.
         expected_axis_in_base: (3,) rough direction about which the sensor should count right-handed; None: not checked.
     """
 
@@ -120,7 +127,7 @@ class WheelLimits:
     radius_sigma_mm: float = 1.0
     radius_error_mm: float = 0.5
     angle_scale_error: float = 0.02
-    different_touches: int = 3
+    different_touches: int = 4
     expected_axis_in_base: tuple[float, float, float] | None = None
 
 
@@ -132,8 +139,8 @@ def judge_wheel(fit: WheelFit, limits: WheelLimits | None = None) -> Verdict:
         reasons.append(
             Reason(
                 Code.NO_REDUNDANCY,
-                f"There are {fit.different_touches} touches at different places, {use.different_touches} are needed. "
-                "Touch the shaft at more head angles.",
+                f"There are {fit.different_touches} touches at different places, {use.different_touches} are needed "
+                "so that a mistake would show. Touch the shaft at more head angles.",
             )
         )
     reasons += _judge_wheel_residuals(fit, use)

@@ -11,7 +11,7 @@ from scipy.stats import f as fisher
 from core.conditioning import Conditioning, analyse
 from core.errors import FitError, InputError
 from core.flange_poses import angles_between, checked_flange_poses, pose_groups
-from core.held_out import held_out_residuals
+from core.held_out import FALSE_ALARM, held_out_residuals, odd_one_out
 from core.verdict import Code
 
 Array = NDArray[np.float64]
@@ -20,8 +20,6 @@ MIN_POSES = 3
 UNKNOWNS = 6
 # RMS change of orientation about the weakest axis; below it 0.05 mm of touch noise is 2 mm of tip after six touches.
 _MIN_TURN = 0.01
-# Chance per fit that a good touch is called bad.
-_FALSE_ALARM = 1e-3
 _LARGEST_REJECTED_SHARE = 0.25
 # No stylus is longer, and no cone is nearer to the base than to the flange.
 _LONGEST_STYLUS_MM = 600.0
@@ -46,6 +44,7 @@ class StylusFit:
             others can predict; NaN where they predict none.
         unchecked_directions: (N,) number of directions, 0 to 3, in which the other poses cannot predict that touch.
         worst: Index of the touch used whose absence would lower the sum of squares most.
+        outlier: Index of the touch used that the others contradict (F test of its deletion, 0.1 % per fit), or None.
         conditioning: of tip and pivot together.
         turn_rad: Largest angle between two flange orientations used.
         weakest_turn_rad: RMS change of orientation seen along the least determined direction of the tip.
@@ -65,6 +64,7 @@ class StylusFit:
     leave_one_out_mm: Array
     unchecked_directions: NDArray[np.int64]
     worst: int
+    outlier: int | None
     conditioning: Conditioning
     turn_rad: float
     weakest_turn_rad: float
@@ -198,7 +198,7 @@ def _is_outlier(linear: _Linear, used: NDArray[np.bool_], sigma_mm: float | None
         return False
     drop = float(linear.drop[linear.worst])
     variance = sigma_mm**2 if sigma_mm is not None else (linear.squares - drop) / left
-    quantile = fisher.isf(_FALSE_ALARM / touches, 3, _MANY if sigma_mm is not None else left)
+    quantile = fisher.isf(FALSE_ALARM / touches, 3, _MANY if sigma_mm is not None else left)
     return bool(drop > 3.0 * quantile * variance)
 
 
@@ -224,6 +224,7 @@ def _report(poses: Array, used: NDArray[np.bool_], linear: _Linear, sigma_mm: fl
         leave_one_out_mm=np.linalg.norm(held_out, axis=1),
         unchecked_directions=unchecked,
         worst=linear.worst,
+        outlier=odd_one_out(linear.drop, linear.squares, 3 * n - UNKNOWNS),
         conditioning=analyse(information, [1.0] * UNKNOWNS, names),
         turn_rad=_largest_turn(poses[used]),
         weakest_turn_rad=float(_turn_spectrum(poses[used])[0][2]),

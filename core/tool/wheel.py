@@ -204,7 +204,7 @@ def _check_units(problem: Problem, solution: _Solution, radius_mm: float | None)
         return
     for factor, what in (
         (np.pi / 180.0, "look like degrees: times pi/180 they fit. Give rad."),
-        (180.0 / np.pi, "look converted from degrees twice: times 180/pi they fit. Give rad."),
+        (180.0 / np.pi, "look like rad given as degrees (converted twice): times 180/pi they fit."),
     ):
         if np.ptp(problem.angle_rad) * factor > 2.0 * np.pi:
             continue

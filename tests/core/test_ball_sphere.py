@@ -92,14 +92,14 @@ def test_edge_ghosts_bias_stays_below_the_scanner_noise(share):
 
 @pytest.mark.parametrize("half_angle", [15.0, 20.0])
 def test_small_cap_is_not_biased(half_angle):
-    """The algebraic fit's radius is 0.4 mm too small here; the mean of eight geometric fits stays within noise."""
+    """The algebraic fit's radius is 0.4 mm too small here; the mean of four geometric fits stays within noise."""
     fits = []
-    for seed in range(8):
+    for seed in range(4):
         points = cap(np.random.default_rng(seed), 1500, half_angle, radius=9.525, sigma=0.05)
         fits.append(fit_sphere(points))
     error = np.mean([fit.diameter_mm for fit in fits]) - 19.05
     sigma = np.mean([fit.diameter_sigma_mm for fit in fits])
-    assert abs(error) < 3.0 * sigma / np.sqrt(8) + 0.01
+    assert abs(error) < 3.0 * sigma / np.sqrt(4) + 0.005
 
 
 def test_certified_ball_at_the_papers_place():
@@ -123,7 +123,7 @@ def test_coverage_is_the_caps_area(half_angle):
     assert fit.coverage == pytest.approx(0.5 * (1.0 - np.cos(np.radians(half_angle))), rel=0.15)
 
 
-@settings(derandomize=True, deadline=None, max_examples=8)
+@settings(derandomize=True, deadline=None, max_examples=5)
 @given(st.floats(1.5, 60.0), st.integers(0, 1000), st.sampled_from([0.0, 1e3, 1e5]))
 def test_any_size_any_place(radius, seed, far):
     rng = np.random.default_rng(seed)
@@ -181,12 +181,11 @@ NO_BALL = {
 
 
 @pytest.mark.parametrize("name", NO_BALL)
-@pytest.mark.parametrize("diameter", [None, 20.0])
-def test_no_ball_is_refused(name, diameter):
-    for seed in (1, 2):
-        points = NO_BALL[name](np.random.default_rng(seed))
-        with pytest.raises(FitError):
-            fit_sphere(points, diameter_mm=diameter, fix_diameter=diameter is not None)
+@pytest.mark.parametrize(("diameter", "seed"), [(None, 1), (20.0, 2)])
+def test_no_ball_is_refused(name, diameter, seed):
+    points = NO_BALL[name](np.random.default_rng(seed))
+    with pytest.raises(FitError):
+        fit_sphere(points, diameter_mm=diameter, fix_diameter=diameter is not None)
 
 
 def test_cap_too_small_for_a_free_radius_names_the_remedy():

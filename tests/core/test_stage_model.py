@@ -126,13 +126,36 @@ def test_moved_ball_is_noticed():
     assert {Code.HIGH_RESIDUAL, Code.HELD_OUT_ERROR} <= {reason.code for reason in judge_stage(fit).reasons}
 
 
-def test_no_redundancy_is_a_reason_only_where_asked():
+@pytest.mark.parametrize("count", [7, 14])
+def test_a_slip_within_the_limits_is_named(count):
+    rng = np.random.default_rng(6)
+    stage = np.vstack([CROSS, CROSS + 9.0])[:count]
+    obs = observe(stage, np.zeros(count), 0.003, rng, tell=False)
+    assert solve_stage(obs).outlier is None
+    obs.ball_in_scanner_mm[2] += [0.0, 0.15, 0.0]
+    fit = solve_stage(obs)
+    assert fit.outlier == 2 and fit.leave_one_out_mm[2] < StageLimits().max_leave_one_out_mm
+    messages = [reason.message for reason in judge_stage(fit).reasons if reason.code is Code.HELD_OUT_ERROR]
+    assert len(messages) == 1 and "observation 2" in messages[0]
+
+
+@pytest.mark.parametrize("spoil", [np.diag([1.0, -1.0, 1.0]), np.eye(3)[[1, 0, 2]]])
+def test_a_left_handed_set_of_axes_is_rejected(spoil):
+    """One sign or the order of two columns is wrong everywhere: the residuals cannot show it."""
+    stage = np.vstack([CROSS, CROSS + 5.0])
+    seen = balls(stage, np.zeros(14))
+    fit = solve_stage(StageObservations(stage @ spoil, np.zeros(14), seen))
+    assert fit.rms_mm < 1e-9
+    assert [reason.code for reason in judge_stage(fit).reasons] == [Code.WRONG_MODEL]
+    assert judge_stage(fit, StageLimits(require_right_handed=False)).ok
+
+
+def test_no_redundancy_is_a_reason_unless_waived():
     stage = np.array([[0, 0, 0], [50, 0, 0], [0, 50, 0], [0, 0, 50.0]])
     fit = solve_stage(StageObservations(stage, np.zeros(4), balls(stage, np.zeros(4))))
     assert fit.model_covariance is None and np.isnan(fit.leave_one_out_mm).all()
-    assert judge_stage(fit).ok
-    reasons = judge_stage(fit, StageLimits(require_redundancy=True)).reasons
-    assert [reason.code for reason in reasons] == [Code.NO_REDUNDANCY]
+    assert [reason.code for reason in judge_stage(fit).reasons] == [Code.NO_REDUNDANCY]
+    assert judge_stage(fit, StageLimits(require_redundancy=False)).ok
     with pytest.raises(InputError, match="covariance"):
         fit.point_covariance_at([0, 0, 0], 0.0, [0, 0, 0])
 
@@ -179,6 +202,9 @@ def test_metres_shapes_and_sigma_are_named():
     seen = balls(CROSS, ZERO)
     with pytest.raises(InputError, match="ball centres look like metres"):
         solve_stage(StageObservations(CROSS, ZERO, seen * 1e-3))
+    angle = np.linspace(-0.5, 0.5, 7)
+    with pytest.raises(InputError, match="ball centres look like metres"):
+        solve_stage(StageObservations(CROSS, angle, balls(CROSS, angle) * 1e-3))
     with pytest.raises(InputError, match="stage positions look like metres"):
         solve_stage(StageObservations(CROSS * 1e-3 * 2.0, ZERO, seen))
     with pytest.raises(InputError, match="expected positions"):

@@ -93,7 +93,7 @@ def test_few_degrees(radius: float | None) -> None:
 @pytest.mark.parametrize("radius", [None, 210.0])
 def test_degrees_converted_twice(radius: float | None) -> None:
     slipped = WheelTouches(np.radians(GOOD.angle_rad), GOOD.point_in_base_mm)
-    with pytest.raises(InputError, match="converted from degrees twice"):
+    with pytest.raises(InputError, match="given as degrees"):
         solve_wheel(slipped, radius_mm=radius)
 
 

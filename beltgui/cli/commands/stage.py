@@ -17,9 +17,6 @@ DESCRIPTION = """OBS.json:
   {"observations": [{"stage_mm": [x,y,z], "stage_deg": t, "ball_in_scanner_mm": [x,y,z], "sigma_mm": 0.01}, ...]}
 The ball stands still, the stage moves the scanner. sigma_mm may be left out, in all observations."""
 
-# No 3D scanner sees a ball that near; a distance in metres has such numbers.
-NEAREST_BALL_MM = 10.0
-
 
 def add(commands: Commands) -> None:
     """Declare the command."""
@@ -46,10 +43,6 @@ def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
         ball_in_scanner_mm=np.array([item.key("ball_in_scanner_mm").vector(3) for item in items]),
         sigma_mm=_sigma(items),
     )
-    farthest = float(np.abs(observations.ball_in_scanner_mm).max())
-    if farthest < NEAREST_BALL_MM:
-        raise InputError(f"{args.observations}: no ball_in_scanner_mm has a coordinate above {farthest:.3g}, expected "
-                         "a working distance in mm. The ball centres look like metres.")
     with job.about(args.observations):
         fit = solve_stage(observations)
         verdict = judge_stage(fit, limits)

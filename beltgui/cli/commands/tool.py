@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 DESCRIPTION = """OBS.json:
   {"radius_mm": Rg, "shaft_offset_mm": h, "touches": [{"angle_deg": a, "point_in_base_mm": [x,y,z]}, ...]}
-The stylus touches the centre of the wheel shaft's side at three or more head angles. Without radius_mm (head axis to
-wheel axis) it is fitted. shaft_offset_mm is the way along the shaft from the touched side to the wheel's mid-plane,
-positive along the head axis direction; 0 if left out."""
+The stylus touches the centre of the wheel shaft's side at four or more head angles; three are computed, but rejected
+because a mistake would not show. Without radius_mm (head axis to wheel axis) it is fitted. shaft_offset_mm is the
+way along the shaft from the touched side to the wheel's mid-plane, positive along the head axis direction; else 0."""
 
 
 def add(commands: Commands) -> None:
