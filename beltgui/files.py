@@ -73,6 +73,8 @@ def check_writable(path: str | os.PathLike[str]) -> None:
         InputError: the folder is missing or not writable, or the name belongs to something that is no file.
     """
     target = Path(path)
+    if "\0" in str(target):
+        raise InputError("The name of the file to write holds a null character, expected a file name.")
     folder = Path(os.path.realpath(target)).parent
     if not folder.is_dir():
         raise InputError(f"{target}: the folder {folder} does not exist. Create it first.")

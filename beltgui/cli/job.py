@@ -82,9 +82,18 @@ class Job:
 
     def warn_if_rejected(self, root: Field) -> None:
         """Say that an earlier step's result was rejected, if the file is one and it was."""
-        verdict = root.value.get("verdict")
-        if isinstance(verdict, dict) and verdict.get("ok") is False:
+        if _was_rejected(root):
             self.say(f"{root.file}: this result was rejected by its own step; what follows is no better.")
+
+    def refuse_if_rejected(self, root: Field) -> None:
+        """Refuse an earlier step's result that was rejected, where nothing later would notice.
+
+        Raises:
+            InputError: the file is a result whose verdict is reject.
+        """
+        if _was_rejected(root):
+            raise InputError(f"{root.file}: this result was rejected by its own step, expected an accepted one. Repeat "
+                             "that step.")
 
     def say(self, message: str) -> None:
         """A message or warning for the person; never on stdout, where the result goes."""
@@ -99,3 +108,8 @@ class Job:
             if path in str(error):
                 raise
             raise type(error)(f"{path}: {error}", error.code) from error
+
+
+def _was_rejected(root: Field) -> bool:
+    verdict = root.value.get("verdict")
+    return isinstance(verdict, dict) and verdict.get("ok") is not True

@@ -38,12 +38,14 @@ def read_limits(path: str | None, step: str, kind: type[LimitsT]) -> LimitsT:
         if name not in fields:
             raise InputError(f"{entry.label} is not a limit of {step}; the limits are {', '.join(fields)}.")
         limit = fields[name]
-        value = _value(entry, getattr(kind(), limit))
+        value = _value(entry, getattr(kind(), limit), direction=limit == "expected_axis_in_base")
         changes[limit] = math.radians(value) if limit != name else value
     return dataclasses.replace(kind(), **changes)  # type: ignore[type-var]
 
 
-def _value(entry: Field, default: object) -> Any:
+def _value(entry: Field, default: object, *, direction: bool = False) -> Any:
+    if direction:
+        return tuple(float(value) for value in entry.direction())
     if isinstance(default, bool):
         if not isinstance(entry.value, bool):
             raise entry.error("true or false")

@@ -19,6 +19,9 @@ from core.errors import InputError
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+# Rounding of a file; anything more and its spline is not the one that was fitted.
+_OWN_SAMPLES_MM = 1e-4
+
 
 @dataclass(frozen=True)
 class ErrorSurface:
@@ -215,6 +218,9 @@ def error_surface_from_json_dict(data: Mapping[str, Any]) -> ErrorSurface:
     Raises:
         InputError: a field is missing or does not fit the others.
     """
+    info = data.get("info") or {}
+    if not isinstance(info, Mapping):
+        raise InputError(f"Error surface: info is {str(info)[:40]!r}, expected an object. Write the file again.")
     try:
         samples = data["samples"]
         surface = ErrorSurface(
@@ -233,7 +239,7 @@ def error_surface_from_json_dict(data: Mapping[str, Any]) -> ErrorSurface:
             penalty=None if data["penalty"] is None else (float(data["penalty"][0]), float(data["penalty"][1])),
             effective_unknowns=float(data["effective_unknowns"]),
             reach_steps=float(data["reach_steps"]),
-            info={str(key): str(value) for key, value in data.get("info", {}).items()},
+            info={str(key): str(value) for key, value in info.items()},
         )
     except KeyError as error:
         raise InputError(f"Error surface: the field {error} is missing. Write the file again.") from error
@@ -244,7 +250,7 @@ def error_surface_from_json_dict(data: Mapping[str, Any]) -> ErrorSurface:
 
 
 def _check_consistent(surface: ErrorSurface, data: Mapping[str, Any]) -> None:
-    if list(data.get("degrees", [])) != list(surface.degrees):
+    if data.get("degrees") != list(surface.degrees):
         raise InputError(f"Error surface: degrees {data.get('degrees')}, expected {list(surface.degrees)}.")
     expected = (surface.knots_u.size - DEGREE - 1, surface.knots_v.size - DEGREE - 1)
     if surface.control_points.shape != expected:
@@ -255,11 +261,31 @@ def _check_consistent(surface: ErrorSurface, data: Mapping[str, Any]) -> None:
         if not np.all(np.isfinite(knots)) or np.any(np.diff(knots) < 0.0) or knots[0] == knots[-1]:
             raise InputError("Error surface: the knots must be finite and must not fall.")
     count = surface.sample_u.shape
-    for values in (surface.sample_v, surface.sample_error_mm, surface.used, surface.leave_one_out_mm):
+    columns = (surface.sample_v, surface.sample_error_mm, surface.used, surface.leave_one_out_mm, surface.residuals_mm)
+    for values in columns:
         if values.shape != count:
             raise InputError("Error surface: the sample columns differ in length.")
     if int(surface.used.sum()) < 4:
         raise InputError("Error surface: fewer than four samples are marked as used.")
+    if not (np.isfinite(surface.reach_steps) and surface.reach_steps > 0.0):
+        raise InputError(f"Error surface: reach_steps is {surface.reach_steps:g}, expected a number above 0.")
+    _check_own_samples(surface)
+
+
+def _check_own_samples(surface: ErrorSurface) -> None:
+    """A robot follows the control points: they must give the errors that the file says were measured."""
+    used = surface.used
+    points = np.column_stack([surface.sample_u, surface.sample_v])[used]
+    lowest, highest = (surface.knots_u[0], surface.knots_v[0]), (surface.knots_u[-1], surface.knots_v[-1])
+    spline = NdBSpline((surface.knots_u, surface.knots_v), surface.control_points, DEGREE)
+    stated = (surface.sample_error_mm - surface.residuals_mm)[used]
+    off = np.abs(spline(np.clip(points, lowest, highest)) - stated)
+    if not np.all(off <= _OWN_SAMPLES_MM):
+        worst = int(np.argmax(np.where(np.isfinite(off), off, np.inf)))
+        raise InputError(
+            f"Error surface: its control points do not give its own sample at u {points[worst, 0]:.5g}, v "
+            f"{points[worst, 1]:.5g} (off by {off[worst]:.3g} mm). The file was changed: write it again."
+        )
 
 
 def _nullable(values: Array) -> list[float | None]:

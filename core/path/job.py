@@ -13,6 +13,7 @@ import numpy as np
 
 from core.error_surface import ErrorSurface, error_surface_from_json_dict
 from core.errors import InputError
+from core.flange_poses import METRES_BELOW_MM
 from core.frames import Array, checked_rigid, inverse
 from core.path.pattern import PatternSettings
 from core.path.plan import CellFrames
@@ -125,6 +126,12 @@ class _Reader:
             document = json.loads(path.read_text(encoding="utf-8"))
         except (UnicodeDecodeError, json.JSONDecodeError) as error:
             raise InputError(f"{key}: {path} is not JSON ({error}).") from error
+        except (ValueError, RecursionError) as error:
+            raise InputError(
+                f"{key}: {path} has a number with too many digits or is nested too deeply, expected a result."
+            ) from error
+        except OSError as error:
+            raise InputError(f"{key}: {path} cannot be read: {error.strerror}.") from error
         if isinstance(document, dict) and isinstance(document.get("verdict"), dict):
             if document["verdict"].get("ok") is not True:
                 raise InputError(f"{key}: {path} holds a rejected result. Repeat that step before planning a path.")
@@ -197,16 +204,32 @@ def _cell(read: _Reader) -> CellFrames:
         raise InputError(f"flange_from_work: give either this or {', '.join(CHAIN)}, not both.")
     if chain:
         at_scan, base, work = (read.transform(key) for key in CHAIN)
+        _check_mm(at_scan, CHAIN[0], METRES_BELOW_MM)
+        _check_mm(base, CHAIN[1], METRES_BELOW_MM)
         flange_from_work = inverse(at_scan) @ base @ work
     else:
         flange_from_work = read.transform("flange_from_work")
+    base_from_tool = read.transform("base_from_tool")
+    _check_mm(base_from_tool, "base_from_tool", METRES_BELOW_MM)
+    # The blade may sit close to the flange, but not within a millimetre of it.
+    if np.any(flange_from_work[:3, 3]):
+        _check_mm(flange_from_work, "flange_from_work", 1.0)
     return CellFrames(
-        base_from_tool=read.transform("base_from_tool"),
+        base_from_tool=base_from_tool,
         flange_from_work=flange_from_work,
         wheel_radius_mm=read.number("wheel_radius_mm"),
         contact_side=read.integer("contact_side"),
         span_along_shaft=read.integer("span_along_shaft", 1),
     )
+
+
+def _check_mm(transform: Array, key: str, nearest_mm: float) -> None:
+    """Lengths in metres would make a program that runs the blade through the cell."""
+    distance = float(np.linalg.norm(transform[:3, 3]))
+    if distance < nearest_mm:
+        raise InputError(
+            f"{key}: the translation is only {distance:.3g} long, expected mm. It looks like metres: multiply by 1000."
+        )
 
 
 def _pattern(read: _Reader) -> PatternSettings:

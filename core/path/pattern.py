@@ -77,6 +77,14 @@ def _check(settings: PatternSettings) -> None:
             raise InputError(f"{name}: expected a length of at least 0.001 mm, found {value:g}.")
     if settings.count is not None and settings.count < 1:
         raise InputError(f"count: expected at least 1 line, found {settings.count}.")
+    if settings.count is not None and settings.count > MOST_POINTS:
+        raise InputError(f"count: expected at most {MOST_POINTS} lines, found {settings.count}.")
+    across = "v_range" if settings.kind == "transverse" else "u_range"
+    first, last = getattr(settings, across)
+    if first == last and settings.count is not None and settings.count > 1:
+        raise InputError(
+            f"count: {settings.count} lines need a {across} with a length, found {[first, last]}. Give count = 1."
+        )
     if settings.positions is not None and len(settings.positions) == 0:
         raise InputError("positions: expected at least one parameter.")
 

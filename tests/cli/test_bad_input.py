@@ -356,6 +356,13 @@ PATH = [
     ("v_range = [0.0, 1.0]", "measured"),
     ("u_range = [0.8, 0.2]", "u_range"),
     ("count = 0", "count"),
+    ("count = 1000000000", "at most"),
+    ("v_range = [0.5, 0.5]", "v_range"),
+    ("base_from_tool = [[1, 0, 0, 0.9], [0, 1, 0, 0.3], [0, 0, 1, 0.7], [0, 0, 0, 1]]", "metres"),
+    ("flange_from_work = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.128], [0, 0, 0, 1]]", "metres"),
+    ('error_surface = "info.json"', "info"),
+    ('error_surface = "degrees.json"', "degrees"),
+    ('error_surface = "control.json"', "own sample"),
     ("step_mm = nan", "step_mm"),
     ('error_surface = "tool.json"', "Error surface"),
     ('base_from_tool = "nested.json"', "nested.json"),
@@ -375,6 +382,12 @@ def path_folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("path")
     sessions.path_job(folder, STEP)
     assert main(["error-surface", str(folder / "samples.csv"), "--out", str(folder / "surface.json")]) == 0
+    surface = json.loads((folder / "surface.json").read_text())
+    points = copy.deepcopy(surface["control_points_mm"])
+    points[5][5] = 1e9
+    for name, changed in (("info", {"info": [1]}), ("degrees", {"degrees": 3}),
+                          ("control", {"control_points_mm": points})):
+        sessions.save(folder / f"{name}.json", {**surface, **changed})
     (folder / "nested.json").write_text("[" * 100_000)
     (folder / "digits.json").write_text('{"a": ' + "9" * 5000 + "}")
     return folder
@@ -458,3 +471,54 @@ def test_unknown_keys_are_told(tmp_path, beltcal):
     assert "observations[1].sigma" in run.err
 
 
+
+
+def test_a_direction_among_the_limits(tmp_path, beltcal):
+    touches = sessions.save(tmp_path / "touches.json", sessions.wheel_touches())
+    direction = np.array(beltcal("tool", touches).record["head_axis"]["direction"])
+    limits = tmp_path / "limits.toml"
+    limits.write_text(f"[tool]\nexpected_axis_in_base = {(-direction).tolist()}")
+    run = beltcal("tool", touches, "--limits", limits)
+    assert run.code == 1
+    assert [reason["code"] for reason in run.record["verdict"]["reasons"]] == ["WRONG_MODEL"]
+    for text in ("1.0", "[0.0, 1.0]", "[0.0, 5.0, 0.0]"):
+        limits.write_text(f"expected_axis_in_base = {text}")
+        refused(beltcal("tool", touches, "--limits", limits), "limits.toml", "expected_axis_in_base")
+
+
+def test_error_surface_refuses_a_rejected_tool_and_names_the_line_of_a_normal(tmp_path, beltcal):
+    samples = tmp_path / "samples.csv"
+    rows = [f"{u / 4},{v / 4},0.01,0,1,0" for u in range(5) for v in range(5)]
+    samples.write_text("\n".join(["# probed", "u,v,angle_deg,nx,ny,nz", *rows]))
+    tool = sessions.save(tmp_path / "tool.json", {"radius_mm": 160.0, "verdict": {"ok": False, "reasons": []}})
+    refused(beltcal("error-surface", samples, "--tool", tool), "tool.json", "rejected")
+    sessions.save(tool, {"radius_mm": 160.0})
+    rows[7] = rows[7].replace("0,1,0", "0,2,0")
+    samples.write_text("\n".join(["# probed", "u,v,angle_deg,nx,ny,nz", *rows]))
+    refused(beltcal("error-surface", samples, "--tool", tool), "samples.csv", "line 10", "unit vector")
+
+
+def test_a_slip_in_one_of_many_observations_is_named(tmp_path, beltcal):
+    """Small enough for the limits, which leave room for a robot's own error, but not for the other observations."""
+    base = sessions.base_observations(n=9)
+    base["observations"][4]["ball_in_measure_mm"][1] += 0.6
+    stylus = sessions.stylus_observations(n=12)
+    stylus["observations"][4]["base_from_flange"][1][3] += 0.5
+    for command, data in (("base", base), ("stylus", stylus)):
+        run = beltcal(command, sessions.save(tmp_path / "obs.json", data))
+        assert run.code == 1
+        reasons = run.record["verdict"]["reasons"]
+        assert [reason["code"] for reason in reasons] == ["HELD_OUT_ERROR"]
+        assert " 4 (counted from 0)" in reasons[0]["message"]
+        assert reasons[0]["message"].endswith("leave it out.")
+
+
+def test_what_leaves_nothing_to_check_is_rejected(tmp_path, beltcal):
+    obs = [{"stage_mm": q, "stage_deg": 0, "ball_in_scanner_mm": [20.0 - q[0], 5.0 - q[1], 230.0 - q[2]]}
+           for q in ([0, 0, 0], [50, 0, 0], [0, 50, 0], [0, 0, 50])]
+    stage = sessions.save(tmp_path / "stage.json", {"observations": obs})
+    tool = sessions.save(tmp_path / "tool.json", sessions.wheel_touches((0, 12, -12)))
+    for command, path in (("stage", stage), ("tool", tool)):
+        run = beltcal(command, path)
+        assert run.code == 1
+        assert "NO_REDUNDANCY" in [reason["code"] for reason in run.record["verdict"]["reasons"]]

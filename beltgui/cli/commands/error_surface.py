@@ -12,6 +12,9 @@ if TYPE_CHECKING:
     from beltgui.cli.job import Job
     from core.frames import Array
 
+# Normals printed with two digits still pass.
+UNIT_TOLERANCE = 1e-2
+
 DESCRIPTION = """SAMPLES.csv has a header u,v,error_mm, or u,v,angle_deg,nx,ny,nz (head angle against the nominal
 contact, outward normal in the tool frame), which needs --tool. An empty error_mm or
 angle_deg is a missing sample (--smooth)."""
@@ -70,8 +73,13 @@ def _errors(table: Table, args: argparse.Namespace, job: Job) -> Array:
                          "--tool TOOL.json, the output of `beltcal tool`.")
     tool = job.json(args.tool)
     radius_mm = tool.key("radius_mm").radius_mm()
-    job.warn_if_rejected(tool)
+    job.refuse_if_rejected(tool)
     normals = np.column_stack([table.columns[name] for name in ("nx", "ny", "nz")])
+    length = np.linalg.norm(normals, axis=1)
+    odd = np.flatnonzero(np.abs(length - 1.0) > UNIT_TOLERANCE)
+    if odd.size:
+        raise InputError(f"{args.samples}: line {table.lines[odd[0]]}, columns nx, ny, nz have the length "
+                         f"{length[odd[0]]:.4g}, expected a unit vector.")
     angle_rad = np.radians(table.columns["angle_deg"])
     present = np.isfinite(angle_rad)
     error_mm = np.full(len(angle_rad), np.nan)
