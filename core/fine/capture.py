@@ -24,13 +24,16 @@ TESSELLATION_MM = 0.03
 NEAR_MM = 2.0
 SURFACE_REACH_MM = 6.0
 _ENOUGH = 30
-_LEAST_STARTS, _MOST_STARTS = 3, 14
+_LEAST_STARTS, _MOST_STARTS = 10, 20
+# A wide kernel comes from farther off, a narrow one is not drawn to a table some mm beside the faces.
+_WIDE_EVERY, _WIDE_KERNEL_MM, _NARROW_KERNEL_MM = 4, 4.0, 1.5
 _EXPLORING_POINTS = 800
 _LEAST_THIN_POINTS = 20
 _SAME_POSE_MM = 0.5
 _POLISH_KERNEL_MM = 0.6
 _CLEARLY_BETTER = 1.02
 _WORTH_A_TRY = 0.8
+_MOST_FIXTURE_PLANES = 3
 _SHRINK = 0.6
 # Boxes stop tightening here; the final stage takes over.
 _LAST_HALF_SIGMAS = 8.0
@@ -96,6 +99,7 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
     pose = start
     if settings.search:
         pose = _best_coarse(samples, thin, model, start, settings)
+        pose = _without_fixture(samples, thin, pose, settings)
         pose = _without_slide(samples, thin, targets, pose, settings)
     rng = np.random.default_rng(settings.seed)
     medium = points
@@ -120,7 +124,9 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
     corners = model.bounds_mm[np.array(list(np.ndindex(2, 2, 2))), np.arange(3)]
     best, best_score, reached = start, -1.0, 0
     for attempt in range(_MOST_STARTS):
-        pose = align(samples, some, _varied(start, model, attempt, rng), settings.capture_mm)
+        wide = attempt % _WIDE_EVERY == _WIDE_EVERY - 1
+        pose = align(samples, some, _varied(start, model, attempt, rng), settings.capture_mm * (1.0 if wide else 0.5),
+                     kernel_mm=_WIDE_KERNEL_MM if wide else _NARROW_KERNEL_MM)
         value = support(samples, thin, pose).score
         apart = np.linalg.norm(transform_points(pose, corners) - transform_points(best, corners), axis=1).max()
         if apart < _SAME_POSE_MM:
@@ -132,6 +138,23 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
         if reached >= 2 and attempt + 1 >= _LEAST_STARTS:
             break
     return align(samples, thin, best, settings.capture_mm, kernel_mm=_POLISH_KERNEL_MM)
+
+
+def _without_fixture(samples: ModelSamples, thin: ThinScan, pose: Array, settings: FineSettings) -> Array:
+    """The pose, or the better one that comes out without the points of planes that can't be faces."""
+    best = support(samples, thin, pose)
+    for _ in range(_MOST_FIXTURE_PLANES):
+        if not best.overhung:
+            break
+        rest = thin.part(np.flatnonzero(~np.isin(best.face_of_point, list(best.overhung))))
+        if len(rest.points) < _LEAST_THIN_POINTS:
+            break
+        tried = align(samples, rest, pose, settings.capture_mm)
+        found = support(samples, thin, tried)
+        if found.score <= _CLEARLY_BETTER * best.score:
+            break
+        pose, best = tried, found
+    return pose
 
 
 def _without_slide(samples: ModelSamples, thin: ThinScan, targets: Sequence[Target], pose: Array,

@@ -26,6 +26,7 @@ NORMAL_LENGTH_MM = 8.0
 SUPPORT_POINTS = 60_000
 SUPPORT_SPACING_MM = 0.5
 NEIGHBOURS = 14
+_CANDIDATES = 4
 _KERNEL_START_MM, _KERNEL_END_MM, _KERNEL_SHRINK = 4.0, 0.12, 0.68
 # Weight of faces that were not chosen, at the end: they hold what the chosen ones leave free, and bend nothing.
 _OTHER_FACES_END = 0.02
@@ -33,7 +34,7 @@ _RIDGE = 1e-6
 _ON_MM = 0.2
 _SURFACE = 0.3
 # Points this far beyond a face's edge, in line with it, say that it isn't that face; each takes away this many.
-_OVERHANG_MM, _OVERHANG_COUNTS, _OVERHANG_LEAST = 8.0, 2.0, 6.0
+_OVERHANG_MM, _OVERHANG_COUNTS, _OVERHANG_LEAST = 8.0, 5.0, 6.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +117,7 @@ def thin_scan(points: Array, samples: ModelSamples, start: Array, count: int, ca
     box = np.array([samples.points.min(axis=0) - capture_mm, samples.points.max(axis=0) + capture_mm])
     some = some[np.all((in_work > box[0]) & (in_work < box[1]), axis=1)]
     support = some[_one_per_voxel(some, SUPPORT_SPACING_MM, SUPPORT_POINTS, rng)]
-    kept = support[_one_per_voxel(support, 2.0 * SUPPORT_SPACING_MM, count, rng)]
+    kept = support[_one_per_voxel(support, SUPPORT_SPACING_MM, _CANDIDATES * count, rng)]
     position_tree = cKDTree(samples.points)
     near = position_tree.query(transform_points(inverse(start), kept), distance_upper_bound=capture_mm)[0] < capture_mm
     kept = kept[near]
@@ -126,7 +127,10 @@ def thin_scan(points: Array, samples: ModelSamples, start: Array, count: int, ca
     spread = support[neighbours] - support[neighbours].mean(axis=1, keepdims=True)
     values, vectors = np.linalg.eigh(np.einsum("nki,nkj->nij", spread, spread))
     flatness = np.clip(1.0 - 8.0 * values[:, 0] / np.maximum(values[:, 1], 1e-12), 0.0, 1.0)
-    return ThinScan(kept, vectors[:, :, 0], flatness)
+    # Ghosts fill many voxels with few points: what is evenly thinned must be surface.
+    surface = np.flatnonzero(flatness > _SURFACE)
+    surface = surface[_one_per_voxel(kept[surface], 2.0 * SUPPORT_SPACING_MM, count, rng)]
+    return ThinScan(kept[surface], vectors[surface, :, 0], flatness[surface])
 
 
 def _one_per_voxel(points: Array, least_mm: float, count: int, rng: np.random.Generator) -> NDArray[np.int64]:
@@ -151,11 +155,13 @@ class Support:
         on: (F + 1,) weighted number of points on face `id`, at place `id`.
         over: (F + 1,) the same for points that continue the face beyond its edge, where the model has none.
         chosen: (F + 1,) True for the faces to be registered on.
+        face_of_point: (n,) id of the face with which each thinned point is in line, 0 for none.
     """
 
     on: Array
     over: Array
     chosen: NDArray[np.bool_]
+    face_of_point: NDArray[np.int64]
 
     @property
     def score(self) -> float:
@@ -188,7 +194,9 @@ def support(samples: ModelSamples, scan: ThinScan, pose: Array) -> Support:
     def summed(mask: NDArray[np.bool_]) -> Array:
         return np.bincount(ids[mask], weights[mask], length).astype(float)
 
-    return Support(summed(on), summed(beyond), chosen)
+    face_of_point = np.zeros(len(scan.points), dtype=np.int64)
+    face_of_point[at[flush]] = ids[flush]
+    return Support(summed(on), summed(beyond), chosen, face_of_point)
 
 
 def surface_share(samples: ModelSamples, scan: ThinScan, pose: Array, reach_mm: float) -> float:

@@ -32,6 +32,10 @@ _PASSES_BEFORE_FROZEN = 3
 # The noise is estimated anew in these passes and then kept, so that the pose can settle.
 _PASSES_WITH_NOISE = 8
 _STRANGERS_RULE = 0.6
+# Of the points in a seen face's box at least this share lies on it ...
+_LEAST_ON = 0.3
+# ... and it has at least this share of the usual points per area.
+_THIN = 0.03
 # Squared Mahalanobis length of a step that no longer matters.
 _CONVERGED = 1e-4
 # A face is at odds with the others beyond this many standard errors and more than this many sigmas.
@@ -185,6 +189,8 @@ def _converged(faces: Sequence[FaceFit], start: Array, sigma: float, settings: F
         current = _with_distances(current, pose)
         pooled = _pooled(current, sigma, settings)
         current = [_weighted(face, pooled, pose, centre, settings, number) for face in current]
+        if not asked_for and number == 1:
+            current = _without_stray(current, settings)
         _refuse_poor(current, settings, asked_for)
         moments, scales = _weighing(current)
         new = solve_moments(moments, scales, pose, centre, least_ratio=1e-4, lever_mm=lever)
@@ -196,6 +202,16 @@ def _converged(faces: Sequence[FaceFit], start: Array, sigma: float, settings: F
     raise FitError(f"The pose has not settled after {settings.max_passes} passes (last step "
                    f"{np.linalg.norm(step[3:]) * 1000.0:.3g} µm, {np.linalg.norm(step[:3]) * 1e6:.3g} µrad). "
                    "The faces seen hold it too loosely or contradict each other; scan more faces.", Code.NOT_CONVERGED)
+
+
+def _without_stray(faces: Sequence[FaceFit], settings: FineSettings) -> list[FaceFit]:
+    """Leave out faces so thinly covered that ghosts and stray points explain it; the scanner didn't see them."""
+    density = {id(face): float(face.weights.sum()) / max(face.target.field.area_mm2(settings.edge_margin_mm), 1.0)
+               for face in faces if face.used}
+    usual = float(np.median(list(density.values()))) if density else 0.0
+    note = "hardly any points; those in its box are as thin as stray points"
+    return [replace(face, used=False, note=note) if face.used and density[id(face)] < _THIN * usual else face
+            for face in faces]
 
 
 def _with_distances(faces: Sequence[FaceFit], pose: Array) -> list[FaceFit]:
@@ -230,7 +246,9 @@ def _weighted(face: FaceFit, pooled: Mixture, pose: Array, centre: Array, settin
     if rim_used:
         weights[face.rim] = rim_mixture.weights(d[face.rim])
     count = float(weights.sum())
-    if count < settings.min_points_per_face or mixture.stranger_share > _STRANGERS_RULE:
+    looked_at = len(d) if rim_used else int(np.count_nonzero(~face.rim))
+    strangers = mixture.stranger_share > _STRANGERS_RULE or count < _LEAST_ON * looked_at
+    if count < settings.min_points_per_face or strangers:
         note = (f"of {len(d)} points in its box only {count:.0f} lie on it; the others are clutter or ghosts")
         return replace(face, used=False, note=note)
     return replace(face, mixture=mixture, rim_mixture=rim_mixture, rim_used=rim_used, weights=weights,

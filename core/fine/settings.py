@@ -45,7 +45,7 @@ class FineSettings:
     max_point_sigma_mm: float = 0.2
     coarse_points: int = 4000
     medium_points: int = 60_000
-    max_passes: int = 25
+    max_passes: int = 60
     search: bool = True
     seed: int = 0
 
