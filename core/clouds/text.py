@@ -12,6 +12,8 @@ from core.errors import InputError
 
 Array = NDArray[np.float64]
 
+# A row of numbers is a few hundred characters long.
+_LONGEST_LINE = 20_000
 _COMMENTS = ("#", "//", "%", "!")
 _NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE)
 # Control characters that no text editor writes: the file is binary.
@@ -23,7 +25,7 @@ def read(data: bytes, path: str) -> tuple[Array, str]:
 
     Separated by spaces, commas or semicolons (with semicolons a decimal comma is understood). Comment lines, one header
     line and a leading line with the number of points are allowed. Columns named x, y, z in the header are used wherever
-    they stand, otherwise the first three.
+    they stand, otherwise the first three; more than three columns under other names are refused.
 
     Raises:
         InputError: a line is not three numbers, or the file is no text.
@@ -31,6 +33,9 @@ def read(data: bytes, path: str) -> tuple[Array, str]:
     numbers, rows = _data_lines(_decoded(data, path))
     if not rows:
         raise InputError(f"{path}: the file holds no lines with numbers, expected x y z per line.")
+    longest = max(range(len(rows)), key=lambda index: len(rows[index]))
+    if len(rows[longest]) > _LONGEST_LINE:
+        raise InputError(f"{path}: line {numbers[longest]} has {len(rows[longest])} characters, expected x y z.")
     announced = _announced_count(rows)
     if announced is not None:
         numbers, rows = numbers[1:], rows[1:]
@@ -43,7 +48,12 @@ def read(data: bytes, path: str) -> tuple[Array, str]:
     columns = (0, 1, 2)
     header = _header_names(rows[0], separator)
     if header is not None:
-        columns = _named_columns(header) or columns
+        named = _named_columns(header)
+        if named is None and len(header) > 3:
+            # Three of many columns taken by their place could be anything: time, index, intensity.
+            raise InputError(f"{path}: line {numbers[0]} names {len(header)} columns but not x, y and z once each: "
+                             f"{rows[0].strip()[:60]!r}. Name the three columns x, y, z.")
+        columns = named or columns
         numbers, rows = numbers[1:], rows[1:]
         if not rows:
             raise InputError(f"{path}: the file has a header line but no points.")

@@ -418,7 +418,8 @@ def test_replay_of_no_session(tmp_path, beltcal):
 
 def test_demo_into_a_file(tmp_path, beltcal):
     (tmp_path / "taken").write_text("")
-    refused(beltcal("demo", "--out", tmp_path / "taken"), "taken")
+    refused(beltcal("demo", "--out", tmp_path / "taken"), "taken", "expected a folder")
+    refused(beltcal("demo", "--out", ""), "", "--out")
 
 
 def test_gui_without_its_cell_file(tmp_path, beltcal):

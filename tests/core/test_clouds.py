@@ -142,6 +142,8 @@ BAD = {
     "word.xyz": (lambda p: text_bytes(p) + b"1 2 three\n", r"line 258 is '1 2 three'"),
     "two.xyz": (lambda p: text_bytes(p) + b"1 2\n", "line 258"),
     "decimal.xyz": (lambda p: text_bytes(p).replace(b".", b","), "line 1 "),
+    "named.csv": (lambda p: b"time,px,py,pz\n1,2,3,4\n", "line 1 names 4 columns but not x, y and z"),
+    "line.xyz": (lambda p: b"# c\n" + b"1 " * 20_000, "line 2 has 40000 characters"),
     "middle.csv": (lambda p: b"# c\n\n1,2,3\n4,5,x\n7,8,9\n", "line 4 is '4,5,x'"),
     "header.csv": (lambda p: b"x,y,z\n", "no points"),
     "comment.csv": (lambda p: b"# nothing\n", "no lines"),

@@ -34,7 +34,11 @@ def run(args: argparse.Namespace, job: Job) -> dict[str, Any]:
     from core.errors import InputError
     from devices.interfaces.errors import DeviceError
 
+    if not args.folder:
+        raise InputError("argument --out: the name is empty, expected a folder.")
     folder = Path(args.folder)
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder}: this is a file, expected a folder for the results.")
     try:
         with job.about(args.folder):
             result = run_demo(folder, seed=args.seed, job=told_on_stderr(job))
