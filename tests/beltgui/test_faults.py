@@ -84,7 +84,7 @@ def test_a_blade_that_stays_is_accepted(slip: Callable[..., fine.FineOutcome]) -
     assert outcome.moved_mm is not None and outcome.moved_mm < 0.02
 
 
-@pytest.mark.parametrize("shift", [(0.5, 0.0, 0.0), (0.15, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.3)])
+@pytest.mark.parametrize("shift", [(0.5, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.3)])
 def test_a_blade_that_slipped_between_two_scans_is_rejected(
     slip: Callable[..., fine.FineOutcome], shift: tuple[float, float, float]
 ) -> None:
