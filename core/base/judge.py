@@ -18,7 +18,8 @@ class BaseLimits:
         rms_mm: RMS residual.
         leave_one_out_mm: RMS of the held-out errors.
         worst_leave_one_out_mm: Largest held-out error of a single observation.
-        outlier_mm: Largest held-out error of an observation that the others contradict.
+        outlier_mm: Largest held-out error of an observation that the others contradict; a robot's own errors of a few
+            tenths, which are no noise, must stay below.
         position_sigma_mm: Largest standard deviation, over directions, of the pose at the centroid of the balls.
         rotation_sigma_rad: Largest standard deviation of the rotation, over axes.
         ball_sigma_mm: Largest standard deviation of the ball offset, over directions.
@@ -30,7 +31,7 @@ class BaseLimits:
     rms_mm: float = 0.5
     leave_one_out_mm: float = 1.0
     worst_leave_one_out_mm: float = 2.0
-    outlier_mm: float = 0.3
+    outlier_mm: float = 0.5
     position_sigma_mm: float = 0.5
     rotation_sigma_rad: float = 2e-3
     ball_sigma_mm: float = 0.5
