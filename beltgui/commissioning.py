@@ -27,6 +27,8 @@ from devices.cell_plan import CellPlan
 
 Keep = Callable[[str, Mapping[str, Any], bool], None]
 Listener = Callable[[StepEvent], None]
+# The robot leaves the scanning pose to probe and comes back within its repeatability, at the far end of the blade too.
+RETURNED_LIMIT_MM = 0.15
 # Share of the whole time, roughly, at which each step begins.
 BEGINS = {"ball": 0.0, "base": 0.15, "rough": 0.3, "fine": 0.45, "tool": 0.52, "error_surface": 0.55}
 ENDS = dict(zip(BEGINS, [*list(BEGINS.values())[1:], 1.0], strict=True))
@@ -190,12 +192,23 @@ class Commissioner:
         presenting = Presenting(self.model.spline_surface(self.blade.airfoil), frames, self.grinder)
         found.presenting = presenting
         samples = self.source.error_surface(
-            self._part("error_surface", 0.1, 1.0), presenting, self.blade.probing
+            self._part("error_surface", 0.1, 0.95), presenting, self.blade.probing
         )
+        at_end = fine.solve(
+            self.source.after_probing(self._part("error_surface", 0.95, 1.0)),
+            found.ball.stage,
+            found.base.fit,
+            self.model,
+            self.blade,
+            clamped.fit.measure_from_work,
+            unmoved_since=clamped.fit.measure_from_work,
+            unmoved_mm=RETURNED_LIMIT_MM,
+        )
+        clamping = Verdict.of([*clamped.verdict.reasons, *at_end.verdict.reasons])
         info = {"blade_type": self.blade.name, "grinder": self.grinder, "date": self.date}
         rests_rad = found.tool.rests_rad.get(self.grinder, ())
         outcome = error_surface.solve(
-            samples, wheel.radius_mm, presenting.normal_in_tool, info, clamped.verdict, rests_rad
+            samples, wheel.radius_mm, presenting.normal_in_tool, info, clamping, rests_rad
         )
         found.error_surface = outcome
         if outcome.verdict.ok:
@@ -203,5 +216,9 @@ class Commissioner:
                 found.programs[name] = error_surface.write_program(
                     name, presenting, outcome.surface, pattern, blade_type=self.blade.name, date=self.date
                 )
-        record = {**error_surface.record(outcome), "clamped_again": fine.record(clamped)}
+        record = {
+            **error_surface.record(outcome),
+            "clamped_again": fine.record(clamped),
+            "after_probing": fine.record(at_end),
+        }
         return record, f"held-out error {outcome.held_out.rms_mm:.3f} mm RMS"

@@ -15,6 +15,7 @@ from devices.interfaces import StagePosition
 
 Array = NDArray[np.float64]
 KIND = "scan"
+CLOSING = "closing_scan"
 # What the robot's report of a pose and the commanded pose may differ by when it is there.
 THERE_MM, THERE_RAD = 1e-3, 1e-6
 
@@ -41,8 +42,16 @@ class ScanSample:
         return np.array([self.stage.x_mm, self.stage.y_mm, self.stage.z_mm])
 
 
-def acquire_scans(context: Context, step: str, poses: Sequence[ScanPose]) -> list[ScanSample]:
+def acquire_scans(
+    context: Context, step: str, poses: Sequence[ScanPose], kind: str = KIND
+) -> list[ScanSample]:
     """Visit the poses and scan at each; the robot moves only if it is not there already.
+
+    Args:
+        context: Cell and session.
+        step: Which step the samples are kept for.
+        poses: Where to scan.
+        kind: Which kind of sample.
 
     Raises:
         DeviceError: a device failed or refused; what was taken before stays in the session.
@@ -55,7 +64,7 @@ def acquire_scans(context: Context, step: str, poses: Sequence[ScanPose]) -> lis
         context.job.report(number / len(poses), f"scan {number + 1} of {len(poses)}: {pose.name}")
         if not _stands_at(context.cell.robot.read().base_from_flange, pose.base_from_flange):
             context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
-        samples.append(_take(context, step, pose))
+        samples.append(_take(context, step, pose, kind))
     return samples
 
 
@@ -66,7 +75,7 @@ def _stands_at(base_from_flange: Array, target: Array) -> bool:
     return bool(shift_mm < THERE_MM and turn_rad < THERE_RAD)
 
 
-def _take(context: Context, step: str, pose: ScanPose) -> ScanSample:
+def _take(context: Context, step: str, pose: ScanPose, kind: str) -> ScanSample:
     stage = context.cell.stage.move_to(pose.stage)
     scan = context.cell.scanner.capture()
     reading = context.cell.robot.read()
@@ -77,17 +86,17 @@ def _take(context: Context, step: str, pose: ScanPose) -> ScanSample:
         "stage_rad": stage.theta_rad,
         "time_s": scan.time_s,
     }
-    sample = context.session.add_sample(step, KIND, data, scan.points_mm)
+    sample = context.session.add_sample(step, kind, data, scan.points_mm)
     return _from_sample(context.session, sample)
 
 
-def read_scans(session: Session, step: str) -> list[ScanSample]:
+def read_scans(session: Session, step: str, kind: str = KIND) -> list[ScanSample]:
     """The scans of a step as they were kept.
 
     Raises:
         InputError: there are none, or a cloud is gone or damaged.
     """
-    return [_from_sample(session, sample) for sample in session.kept(step, KIND)]
+    return [_from_sample(session, sample) for sample in session.kept(step, kind)]
 
 
 def _from_sample(session: Session, sample: Sample) -> ScanSample:

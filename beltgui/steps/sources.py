@@ -14,7 +14,7 @@ from beltgui.steps.error_surface import probing
 from beltgui.steps.error_surface.probing import Presenting, ProbeSamples
 from beltgui.steps.fine import step as fine
 from beltgui.steps.rough import step as rough
-from beltgui.steps.scans import ScanSample, read_scans
+from beltgui.steps.scans import CLOSING, ScanSample, read_scans
 from beltgui.steps.tool import step as tool
 from beltgui.steps.tool.step import ToolSamples
 from core.cad.blade_type import ProbingGrid
@@ -49,6 +49,10 @@ class Source(Protocol):
 
     def error_surface(self, job: Job, presenting: Presenting, grid: ProbingGrid) -> ProbeSamples:
         """Head angles over the airfoil."""
+        ...
+
+    def after_probing(self, job: Job) -> list[ScanSample]:
+        """Scans of the blade after probing."""
         ...
 
 
@@ -89,6 +93,10 @@ class LiveSource:
         """Probe the airfoil with the wheel."""
         return probing.acquire(self._with(job), presenting, grid)
 
+    def after_probing(self, job: Job) -> list[ScanSample]:
+        """Scan the blade once more."""
+        return probing.scan_at_the_end(self._with(job))
+
 
 @dataclass(frozen=True, eq=False)
 class RecordedSource:
@@ -123,3 +131,7 @@ class RecordedSource:
     def error_surface(self, job: Job, presenting: Presenting, grid: ProbingGrid) -> ProbeSamples:
         """The recorded probing."""
         return probing.read(self.session)
+
+    def after_probing(self, job: Job) -> list[ScanSample]:
+        """The recorded scans."""
+        return read_scans(self.session, "error_surface", CLOSING)

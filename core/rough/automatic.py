@@ -51,6 +51,8 @@ class GlobalSettings:
         same_rad: Poses closer than this and ...
         same_mm: ... than this at the model's corners are one pose.
         max_fine_move_mm: The fine step may move the model's corners this far; more means that it went elsewhere.
+        capture_rad: Poses that are as good as each other and closer than this and ...
+        capture_mm: ... than this at the model's corners are left to the fine step, whose capture they share.
     """
 
     surface_mm: float = 0.3
@@ -61,6 +63,8 @@ class GlobalSettings:
     same_rad: float = 0.03
     same_mm: float = 3.0
     max_fine_move_mm: float = 3.0
+    capture_rad: float = 0.06
+    capture_mm: float = 8.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,13 +131,13 @@ def accepted(model: CadModel, cloud: Array, candidates: tuple[Candidate, ...], c
     """
     best = candidates[0]
     _check_explains(model, best.agreement, settings)
-    _check_unique(model, candidates, settings)
+    alike = [best, *_captured_alike(model, candidates, settings)]
     try:
         fine = confirm(model, [cloud], best.measure_from_work)
     except FitError as error:
         raise FitError(f"A pose was found that puts {best.agreement.on_surface:.0%} of the scan on {model.path.stem}, "
                        f"but the fine step refuses it: {error}", error.code) from error
-    moved = _corner_distance(model, fine.measure_from_work, best.measure_from_work)
+    moved = min(_corner_distance(model, fine.measure_from_work, one.measure_from_work) for one in alike)
     if moved > settings.max_fine_move_mm:
         raise FitError(f"The fine step moved the model by {moved:.1f} mm away from the pose that explains the scan "
                        f"best (at most {settings.max_fine_move_mm:g} mm is expected). Check that the blade type is "
@@ -252,18 +256,25 @@ def _check_explains(model: CadModel, found: Agreement, settings: GlobalSettings)
                        "type.", Code.WRONG_MODEL)
 
 
-def _check_unique(model: CadModel, candidates: Sequence[Candidate], settings: GlobalSettings) -> None:
-    """The points that the best pose explains and another one doesn't must outnumber the reverse."""
-    best = candidates[0]
+def _captured_alike(model: CadModel, candidates: Sequence[Candidate], settings: GlobalSettings) -> list[Candidate]:
+    """Poses as good as the best one that the fine step reaches from it; any farther one makes the scan ambiguous.
+
+    The points that the best pose explains and another one doesn't must outnumber the reverse.
+    """
+    best, alike = candidates[0], []
     for other in candidates[1:]:
         for_best = int(np.count_nonzero(best.agreement.on & ~other.agreement.on))
         for_other = int(np.count_nonzero(other.agreement.on & ~best.agreement.on))
         needed = max(2 * for_other, int(settings.least_difference * np.count_nonzero(best.agreement.on)))
         if for_best <= needed:
             turn = other.measure_from_work[:3, :3] @ best.measure_from_work[:3, :3].T
-            degrees = float(np.degrees(np.linalg.norm(rotvec_from_rotation(turn))))
+            turn_rad = float(np.linalg.norm(rotvec_from_rotation(turn)))
             shift = _corner_distance(model, best.measure_from_work, other.measure_from_work)
-            raise FitError(f"The scan fits {model.path.stem} in two ways ({best.agreement.on_surface:.0%} and "
-                           f"{other.agreement.on_surface:.0%} of it on the model), {degrees:.0f} degrees and up to "
-                           f"{shift:.0f} mm apart. Scan an area that tells them apart too, such as the airfoil next to "
-                       "the edge plate, or pick pairs of points.", Code.NOT_ENOUGH_VARIATION)
+            if turn_rad < settings.capture_rad and shift < settings.capture_mm:
+                alike.append(other)
+                continue
+            shares = f"{best.agreement.on_surface:.0%} and {other.agreement.on_surface:.0%} of it on the model"
+            raise FitError(f"The scan fits {model.path.stem} in two ways ({shares}), {np.degrees(turn_rad):.0f} "
+                           f"degrees and up to {shift:.0f} mm apart. Scan an area that tells them apart too, such as "
+                           "the airfoil next to the edge plate, or pick pairs of points.", Code.NOT_ENOUGH_VARIATION)
+    return alike

@@ -150,7 +150,7 @@ def test_the_session_holds_every_sample_and_result(done: DemoResult) -> None:
             for step, kind in (
                 ("ball", "scan"), ("base", "scan"), ("rough", "scan"), ("fine", "scan"), ("tool", "cone_touch"),
                 ("tool", "shaft_touch"), ("error_surface", "scan"), ("error_surface", "line"),
-                ("error_surface", "check"),
+                ("error_surface", "check"), ("error_surface", "closing_scan"),
             )
         }  # fmt: skip
         assert list(session.steps_with_results()) == list(STEPS)
@@ -159,9 +159,9 @@ def test_the_session_holds_every_sample_and_result(done: DemoResult) -> None:
         assert len(session.points(scan)) > 10_000
         info = session.info()
     assert counts == {
-        ("ball", "scan"): 19, ("base", "scan"): 14, ("rough", "scan"): 2, ("fine", "scan"): 2,
+        ("ball", "scan"): 20, ("base", "scan"): 15, ("rough", "scan"): 2, ("fine", "scan"): 2,
         ("tool", "cone_touch"): 12, ("tool", "shaft_touch"): 12, ("error_surface", "scan"): 2,
-        ("error_surface", "line"): GRID[1], ("error_surface", "check"): 3,
+        ("error_surface", "line"): GRID[1], ("error_surface", "check"): 3, ("error_surface", "closing_scan"): 2,
     }  # fmt: skip
     assert all(result is not None and result.accepted for result in results.values())
     assert info["simulated"] is True and info["seed"] == 0

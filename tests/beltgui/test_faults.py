@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from beltgui.commissioning import Commissioner, Commissioning
+from beltgui.commissioning import RETURNED_LIMIT_MM, Commissioner, Commissioning
 from beltgui.steps.base import step as base
 from beltgui.steps.error_surface import probing
 from beltgui.steps.error_surface import step as error_surface
@@ -53,13 +53,21 @@ def at(number: int, fault: Callable[[], None]) -> Callable[[int], None]:
 # ---- one step with a fault in the middle
 
 
-def test_a_ball_that_moved_between_two_scans_rejects_the_base(live: Live) -> None:
-    live.hook("scanner", "capture", at(7, lambda: live.sim.world.faults.move_ball((0.0, 2.0, 0.0))))
+@pytest.mark.parametrize("by_mm", [0.2, 2.0])
+def test_a_ball_that_moved_between_two_scans_rejects_the_base(live: Live, by_mm: float) -> None:
+    live.hook("scanner", "capture", at(7, lambda: live.sim.world.faults.move_ball((0.0, by_mm, 0.0))))
     samples = base.acquire(live.context)
     outcome = base.solve(samples, live.sim.plan.ball.diameter_mm, live.stage_fit())
-    assert {Code.HIGH_RESIDUAL, Code.HELD_OUT_ERROR} <= {reason.code for reason in outcome.verdict.reasons}
-    assert "Look at observation" in said(outcome.verdict)
-    assert kept(live, "base", "scan") == len(live.sim.plan.base_step)
+    assert outcome.verdict.reasons[0].code is Code.HELD_OUT_ERROR
+    assert "has moved meanwhile" in outcome.verdict.reasons[0].message
+    assert outcome.returned_mm == pytest.approx(by_mm, abs=0.1)
+    assert kept(live, "base", "scan") == len(live.sim.plan.base_step) + 1
+
+
+def test_a_ball_that_stays_is_seen_where_it_was(live: Live) -> None:
+    outcome = base.solve(base.acquire(live.context), live.sim.plan.ball.diameter_mm, live.stage_fit())
+    assert outcome.verdict.reasons == ()
+    assert outcome.returned_mm < 0.06
 
 
 @pytest.fixture
@@ -93,6 +101,24 @@ def test_a_blade_that_slipped_between_two_scans_is_rejected(
     assert not outcome.verdict.ok
     assert "fasten it and begin again with the rough step" in said(outcome.verdict)
     assert outcome.moved_mm == pytest.approx(np.linalg.norm(shift), rel=0.25)
+
+
+def test_a_blade_that_slipped_while_it_was_probed_is_seen_by_the_closing_scans(live: Live) -> None:
+    blade, model = blade_and_model()
+    first_samples = probing.clamp_and_scan(live.context)
+    start = live.sim.truth.measure_from_work
+    first = fine.solve(first_samples, live.stage_fit(), live.base_fit(), model, blade, start)
+    live.sim.world.faults.slip_blade((0.0, 0.0, 0.3), np.zeros(3))
+    live.context.move(live.sim.plan.base_step[0].base_from_flange, "away and back")
+    found = first.fit.measure_from_work
+    last = fine.solve(
+        probing.scan_at_the_end(live.context), live.stage_fit(), live.base_fit(), model, blade, found,
+        unmoved_since=found, unmoved_mm=RETURNED_LIMIT_MM,
+    )  # fmt: skip
+    assert first.verdict.reasons == ()
+    assert last.moved_mm == pytest.approx(0.3, abs=0.1)
+    assert [reason.code for reason in last.verdict.reasons] == [Code.HELD_OUT_ERROR]
+    assert kept(live, "error_surface", "closing_scan") == 2
 
 
 @dataclass
@@ -288,4 +314,4 @@ def test_a_rejected_step_is_kept_and_ends_the_run(live: Live) -> None:
     assert "fasten both, scan again" in said(found.verdicts["ball"])
     result = live.session.result("ball")
     assert result is not None and not result.accepted
-    assert kept(live, "ball", "scan") == len(live.sim.plan.stage_step) and kept(live, "base", "scan") == 0
+    assert kept(live, "ball", "scan") == len(live.sim.plan.stage_step) + 1 and kept(live, "base", "scan") == 0

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from beltgui.steps.ball.step import find_balls, judge_balls
+from beltgui.steps.ball.step import find_balls, judge_balls, judge_returned
 from beltgui.steps.base.record import record as fit_record
 from beltgui.steps.blocks import plain, verdict_block
 from beltgui.steps.context import Context
@@ -21,6 +21,8 @@ from core.verdict import Verdict
 from devices.interfaces import Mount
 
 HELD_OUT_LIMIT_MM = 1.0
+# The robot comes back to a pose within its repeatability, some hundredths of a mm at the ball.
+RETURNED_LIMIT_MM = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +32,7 @@ class BaseOutcome:
     Attributes:
         spheres: One per scan, in {S}.
         fit: From the poses that were not kept out.
+        returned_mm: Distance between the ball in the first scan and in the last, which is taken in the same pose.
         held_out: Ball in {B} by scanner against ball by robot, at the poses kept out.
         verdict: Of all of it.
     """
@@ -37,20 +40,22 @@ class BaseOutcome:
     spheres: tuple[SphereFit, ...]
     fit: BaseFit
     held_out: HeldOut
+    returned_mm: float
     verdict: Verdict
 
 
 def acquire(context: Context) -> list[ScanSample]:
-    """Scan the ball on the flange in the planned robot poses."""
+    """Scan the ball on the flange in the planned robot poses, and at the end in the first one again."""
     context.cell.operator.perform(Mount("ball"))
-    return acquire_scans(context, "base", context.plan.base_step)
+    poses = context.plan.base_step
+    return acquire_scans(context, "base", [*poses, poses[0]])
 
 
 def solve(samples: Sequence[ScanSample], diameter_mm: float, stage: StageFit) -> BaseOutcome:
     """Fit the ball in every scan, the base on most poses, and check on the rest.
 
     Args:
-        samples: Scans of the ball on the flange.
+        samples: Scans of the ball on the flange; the last in the pose of the first.
         diameter_mm: The certified diameter.
         stage: Result of the ball step.
 
@@ -67,17 +72,19 @@ def solve(samples: Sequence[ScanSample], diameter_mm: float, stage: StageFit) ->
         for pose, sphere in zip(measure_from_scanner, spheres, strict=True)
     ])
     flanges = np.array([sample.base_from_flange for sample in samples])
-    fitted, held = split(len(samples))
+    returned_mm = float(np.linalg.norm(balls[-1] - balls[0]))
+    fitted, held = split(len(samples) - 1)
     fit = solve_base(flanges[fitted], balls[fitted], ball_covariance_mm2=covariances[fitted])
     by_robot = np.array([transform_points(flanges[i], fit.ball_in_flange_mm) for i in held]).reshape(-1, 3)
     by_scanner = transform_points(fit.base_from_measure, balls[held].reshape(-1, 3))
     held_out = HeldOut("ball centre in {B}", np.linalg.norm(by_robot - by_scanner, axis=1), HELD_OUT_LIMIT_MM)
     reasons = [
+        *judge_returned(returned_mm, RETURNED_LIMIT_MM),
         *judge_balls(samples, spheres),
         *judge_base(fit, BaseLimits()).reasons,
         *held_out.reasons("The ball may have moved on the flange, or the robot's mastering is off: check both."),
     ]
-    return BaseOutcome(spheres, fit, held_out, Verdict.of(reasons))
+    return BaseOutcome(spheres, fit, held_out, returned_mm, Verdict.of(reasons))
 
 
 def record(outcome: BaseOutcome) -> dict[str, Any]:
@@ -85,5 +92,6 @@ def record(outcome: BaseOutcome) -> dict[str, Any]:
     return {
         **fit_record(outcome.fit, outcome.verdict),
         "held_out": plain(outcome.held_out.block()),
+        "returned_mm": outcome.returned_mm,
         "verdict": verdict_block(outcome.verdict),
     }

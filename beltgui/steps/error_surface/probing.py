@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from beltgui.session import Session
 from beltgui.steps import head_rest
 from beltgui.steps.context import Context
-from beltgui.steps.scans import ScanSample, acquire_scans
+from beltgui.steps.scans import CLOSING, ScanSample, acquire_scans
 from core.cad.blade_type import ProbingGrid
 from core.path import AirfoilSurface, CellFrames, work_from_contact
 from devices.interfaces import DeadlineExceeded, Mount, Refused, RobotPath
@@ -77,6 +77,11 @@ def clamp_and_scan(context: Context) -> list[ScanSample]:
     """Have the blade clamped and scan it: every clamping is another one, so its frame is measured again."""
     context.cell.operator.perform(Mount("blade", context.serial))
     return acquire_scans(context, "error_surface", context.plan.fine_step)
+
+
+def scan_at_the_end(context: Context) -> list[ScanSample]:
+    """Scan the blade after probing: the wheel has pressed on it for an hour, it may have slipped."""
+    return acquire_scans(context, "error_surface", context.plan.fine_step, CLOSING)
 
 
 def acquire(context: Context, presenting: Presenting, grid: ProbingGrid) -> ProbeSamples:

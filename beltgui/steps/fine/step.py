@@ -91,6 +91,7 @@ def solve(
     start: Array,
     *,
     unmoved_since: Array | None = None,
+    unmoved_mm: float = UNMOVED_MM,
 ) -> FineOutcome:
     """Register the scans to the model's faces.
 
@@ -103,6 +104,7 @@ def solve(
         start: (4, 4) measure_from_work, roughly.
         unmoved_since: (4, 4) measure_from_work by other scans of the same clamping, as exact as these. Two scans that
             see different faces say little about a blade that slips between them; other scans do.
+        unmoved_mm: How far from there the blade may be; more where the robot has moved in between.
 
     Raises:
         InputError: the scans do not determine the pose, or do not show this blade.
@@ -112,7 +114,7 @@ def solve(
     fit = solve_fine(model, in_measure(samples, stage), start, face_ids=face_ids)
     flange_from_work = inverse(base_from_flange) @ base.base_from_measure @ fit.measure_from_work
     moved_mm = None if unmoved_since is None else _moved_mm(fit, unmoved_since)
-    reasons = [*judge_fine(fit, limits_of(blade)).reasons, *_judge_moved(fit, moved_mm)]
+    reasons = [*judge_fine(fit, limits_of(blade)).reasons, *_judge_moved(fit, moved_mm, unmoved_mm)]
     return FineOutcome(fit, flange_from_work, base_from_flange, moved_mm, Verdict.of(reasons))
 
 
@@ -122,15 +124,15 @@ def _moved_mm(fit: FineFit, earlier: Array) -> float:
     return float(np.linalg.norm(apart, axis=1).max())
 
 
-def _judge_moved(fit: FineFit, moved_mm: float | None) -> list[Reason]:
+def _judge_moved(fit: FineFit, moved_mm: float | None, limit_mm: float) -> list[Reason]:
     if moved_mm is None:
         return []
     chance = SIGMAS * np.sqrt(2.0) * float(fit.point_sigma_mm.max())
     return above(
         Code.HELD_OUT_ERROR,
         moved_mm,
-        max(UNMOVED_MM, chance),
-        "The distance of the blade from where the scans of the rough step found it",
+        max(limit_mm, chance),
+        "The distance of the blade from where earlier scans of the same clamping found it",
         "It has slipped in its clamp, or robot or stage have moved: fasten it and begin again with the rough step.",
     )
 
