@@ -1,6 +1,6 @@
 """`python -m benchmarks`: every benchmark, one after the other; exit code 1 if one misses its goal.
 
-About half an hour on two cores. Each also runs alone, e.g. `python -m benchmarks.efficiency --only ball`.
+About an hour on two cores. Each also runs alone, e.g. `python -m benchmarks.efficiency --only ball`.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ again. Nothing of this simulation is used by the estimator.
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -184,7 +185,24 @@ def measured_surface(blade: EllipseBlade, wheel: Wheel) -> ErrorSurface:
     return fit_error_surface(u, v, head_error(blade, wheel, work_from_contact(blade, u, v), u, v))
 
 
-def main() -> None:
+def greatest_error_between_samples() -> float:
+    """The published case, 129 x 40 samples, against the formula it was sampled from, mm."""
+
+    def truth(u: Array, v: Array) -> Array:
+        # A shift of 0.5 mm along one axis, seen along a normal that turns once around the profile.
+        return 0.5 * np.cos(4.0 * np.pi * v) + 0.5 * np.cos(2.0 * np.pi * u + 0.3)
+
+    u, v = (axis.ravel() for axis in np.meshgrid(np.linspace(0.02, 0.98, 129), V_LINES, indexing="ij"))
+    surface = fit_error_surface(u, v, truth(u, v))
+    rng = np.random.default_rng(5)
+    between_u, between_v = rng.uniform(0.02, 0.98, 100_000), rng.uniform(V_LINES[0], V_LINES[-1], 100_000)
+    return float(np.abs(surface.evaluate(between_u, between_v) - truth(between_u, between_v)).max())
+
+
+def main() -> int:
+    greatest = greatest_error_between_samples()
+    print(f"129 x {len(V_LINES)} samples interpolated: greatest error between them {greatest:.6f} mm (goal 0.001)\n")
+    worst_left = 0.0
     rng = np.random.default_rng(4)
     u = rng.uniform(U_LINES[0], U_LINES[-1], 4000)
     v = rng.uniform(V_LINES[0], V_LINES[-1], 4000)
@@ -200,11 +218,14 @@ def main() -> None:
             before = head_error(blade, wheel, work_from_contact(blade, u, v), u, v)
             for label, variant in VARIANTS.items():
                 left = head_error(blade, wheel, variant(blade, surface, u, v, wheel), u, v)
+                if variant is keep_orientation:
+                    worst_left = max(worst_left, float(np.sqrt(np.mean(left**2))))
                 print(
                     f"| {crown:.0f} mm | {name} | {np.sqrt(np.mean(before**2)):.4f} | {label} "
                     f"| {np.sqrt(np.mean(left**2)):.5f} | {np.abs(left).max():.5f} |"
                 )
+    return 0 if greatest <= 0.001 and worst_left <= 0.02 else 1
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

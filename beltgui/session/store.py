@@ -7,6 +7,7 @@ the process in between.
 from __future__ import annotations
 
 import json
+import os
 import sqlite3
 from collections.abc import Iterator, Mapping
 from contextlib import closing
@@ -148,7 +149,7 @@ class Session:
                 cloud = None
                 if points_mm is not None:
                     cloud = f"clouds/{number:05d}_{step}.npy"
-                    np.save(self.folder / cloud, points_mm)
+                    _save_whole(self.folder / cloud, points_mm)
                     cursor.execute("UPDATE sample SET cloud = ? WHERE id = ?", (cloud, number))
             except BaseException:
                 cursor.execute("ROLLBACK")
@@ -210,6 +211,14 @@ class Session:
         """Names of the steps that have a result, in order of their latest one."""
         rows = self._connection.execute("SELECT step, MAX(id) FROM result GROUP BY step ORDER BY 2").fetchall()
         return (row[0] for row in rows)
+
+
+def _save_whole(path: Path, points_mm: NDArray[np.float32]) -> None:
+    """On the disk, not only in its cache, before the sample becomes visible."""
+    with path.open("wb") as file:
+        np.save(file, points_mm)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 def _now() -> str:

@@ -27,7 +27,7 @@ def window(qtbot: QtBot, tmp_path: Path) -> Iterator[Callable[..., MainWindow]]:
     opened: list[MainWindow] = []
 
     def open_one(**options: Any) -> MainWindow:
-        window = MainWindow(out_dir=tmp_path, resolution="test", grid=(25, 18), **options)
+        window = MainWindow(out_dir=tmp_path, **{"resolution": "test", "grid": (25, 18), **options})
         opened.append(window)
         window.show()
         return window
@@ -164,3 +164,18 @@ def test_on_a_screen_the_view_can_be_turned_and_shows_the_blade(tmp_path: Path) 
     run = subprocess.run([*words, ON_A_SCREEN], capture_output=True, text=True, timeout=120, check=False)
     assert run.returncode == 0, run.stderr
     assert run.stdout.split("\n")[:2] == ["shown True True", "closed"], run.stdout + run.stderr
+
+
+def test_a_whole_run_ends_with_the_verdict_and_the_report(
+    qtbot: QtBot, window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    opened = window(grid=(33, 20))
+    opened.start()
+    qtbot.waitUntil(lambda: opened.start_button.isEnabled(), timeout=WAIT_MS)
+    assert opened.banner.text().startswith("✔ Accepted. Normal error left on the airfoil")
+    for step in STEPS:
+        assert "accepted" in opened.rail.entries[step].text()
+    assert opened.report_button.isEnabled() and not opened.cancel_button.isEnabled()
+    assert (tmp_path / "report.html").stat().st_size > 500_000
+    with Session.open(tmp_path / "session") as session:
+        assert list(session.steps_with_results()) == list(STEPS)

@@ -523,3 +523,13 @@ def test_what_leaves_nothing_to_check_is_rejected(tmp_path, beltcal):
         run = beltcal(command, path)
         assert run.code == 1
         assert "NO_REDUNDANCY" in [reason["code"] for reason in run.record["verdict"]["reasons"]]
+
+
+def test_gui_without_a_screen(monkeypatch, beltcal):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        monkeypatch.delenv(name, raising=False)
+    refused(beltcal("gui", "--sim"), "no screen")
+
+
+def test_gui_on_real_devices_which_have_no_drivers_yet(beltcal):
+    refused(beltcal("gui"), "--sim")

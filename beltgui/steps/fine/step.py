@@ -157,6 +157,6 @@ def record(outcome: FineOutcome) -> dict[str, Any]:
         **fit_record(outcome.fit, outcome.verdict),
         "flange_from_work": pose_block(outcome.flange_from_work),
         "base_from_flange_at_scan": plain(outcome.base_from_flange),
-        "moved_since_rough_mm": plain(outcome.moved_mm),
+        "moved_since_earlier_scans_mm": plain(outcome.moved_mm),
         "verdict": verdict_block(outcome.verdict),
     }
