@@ -126,17 +126,21 @@ def test_moved_ball_is_noticed():
     assert {Code.HIGH_RESIDUAL, Code.HELD_OUT_ERROR} <= {reason.code for reason in judge_stage(fit).reasons}
 
 
-@pytest.mark.parametrize("count", [7, 14])
-def test_a_slip_within_the_limits_is_named(count):
+@pytest.mark.parametrize(
+    ("count", "suspects"),
+    # With one cross both ends of an axis fit the rest equally badly: rounding decides which one is named.
+    [(7, {1, 2}), (14, {2})],
+)
+def test_a_slip_within_the_limits_is_named(count, suspects):
     rng = np.random.default_rng(6)
     stage = np.vstack([CROSS, CROSS + 9.0])[:count]
     obs = observe(stage, np.zeros(count), 0.003, rng, tell=False)
     assert solve_stage(obs).outlier is None
     obs.ball_in_scanner_mm[2] += [0.0, 0.15, 0.0]
     fit = solve_stage(obs)
-    assert fit.outlier == 2 and fit.leave_one_out_mm[2] < StageLimits().max_leave_one_out_mm
+    assert fit.outlier in suspects and fit.leave_one_out_mm[2] < StageLimits().max_leave_one_out_mm
     messages = [reason.message for reason in judge_stage(fit).reasons if reason.code is Code.HELD_OUT_ERROR]
-    assert len(messages) == 1 and "observation 2" in messages[0]
+    assert len(messages) == 1 and f"observation {fit.outlier}" in messages[0]
 
 
 @pytest.mark.parametrize("spoil", [np.diag([1.0, -1.0, 1.0]), np.eye(3)[[1, 0, 2]]])
