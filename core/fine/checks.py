@@ -11,7 +11,7 @@ from core.cad import CadFace, CadModel
 from core.errors import FitError, InputError
 from core.fine.capture import Capture
 from core.fine.estimate import Estimate
-from core.fine.report import conditioning_in_work, ends_of
+from core.fine.report import conditioning_in_work, ends_of, largest_motion
 from core.fine.settings import FineSettings
 from core.frames import PoseCovariance, inverse, transform_points
 from core.verdict import Code
@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 _LEAST_POINTS = 50
 # A scan in metres is a thousandth of its model; one of a small part of the model is still larger than this.
 _METRES = 0.02
+# A blade in front of a scanner is farther from the origin of {M} than this; in metres it is never.
+_METRES_FROM_ORIGIN_MM = 5.0
 # Measured on right and wrong blade types: 78 % and more of the surface on the right one, 51 % and less on a wrong one.
 _LEAST_SURFACE, _CLEAR_SURFACE = 0.45, 0.7
 _MANY_CONTRADICT = 0.75
@@ -91,6 +93,10 @@ def check_capture(found: Capture | None, model: CadModel, points: Array, start: 
         in_work = transform_points(inverse(start), points)
         gap = np.maximum(np.maximum(model.bounds_mm[0] - in_work, in_work - model.bounds_mm[1]), 0.0)
         nearest = float(np.linalg.norm(gap, axis=1).min())
+        length, away = float(np.linalg.norm(start[:3, 3])), float(np.linalg.norm(points.mean(axis=0)))
+        if nearest > 0.5 and length < _METRES_FROM_ORIGIN_MM < away:
+            raise InputError("Seen from the start, no scan points lie near the model, and the start's translation is "
+                             f"only {length:.3g} mm long: it seems to be in metres. Give it in mm.")
         where = f"the nearest point is {nearest:.1f} mm away from the model's box" if nearest > 0.5 else \
             "points come near the model, but not onto the chosen faces"
         raise FitError(f"Seen from the start, no scan points lie on the chosen faces: {where}. Check that scan, start "
@@ -110,6 +116,19 @@ def check_capture(found: Capture | None, model: CadModel, points: Array, start: 
                        f"near the faces lies on them (at least {_CLEAR_SURFACE:.0%} is usual). Is it the right blade "
                        "type, and is the start within a few mm and degrees?", Code.WRONG_MODEL)
     return found
+
+
+def check_start(model: CadModel, start: Array, found: Array, settings: FineSettings) -> None:
+    """Refuse a pose that is farther from the start than a start may be.
+
+    Raises:
+        FitError: a corner of the model has moved too far.
+    """
+    moved = largest_motion(model, start, found)
+    if not moved <= settings.max_start_motion_mm:
+        raise FitError(f"The pose found carries the model by up to {moved:.0f} mm from the start, at most "
+                       f"{settings.max_start_motion_mm:.0f} mm is trusted: another pose may fit as well. Redo the "
+                       "rough step, or check the start.", Code.NOT_CONVERGED)
 
 
 def check_geometry(result: Estimate, model: CadModel, settings: FineSettings) -> None:

@@ -17,6 +17,8 @@ class FineSettings:
         edge_zone_mm: Points nearer than this to the edge form a zone of their own, used only where it is clean.
         half_thickness_mm: Half thickness of the filter boxes when the exact surfaces take over; it shrinks from there.
         capture_mm: How far points may lie from the model at the start; twice a start error of 2.5 degrees on 300 mm.
+        max_start_motion_mm: How far the fit may carry a corner of the model from the start; farther away another pose
+            may fit the few points that the start brought near, such as a symmetric root the wrong way round.
         min_points_per_face: A face with fewer points in its box is not used (or refused where it was asked for).
         min_points: Fewer points on all faces together are refused.
         max_sigma_mm: A scatter above this is no scanner noise: the model does not fit.
@@ -37,6 +39,7 @@ class FineSettings:
     edge_zone_mm: float = 1.2
     half_thickness_mm: float = 1.2
     capture_mm: float = 14.0
+    max_start_motion_mm: float = 40.0
     min_points_per_face: int = 30
     min_points: int = 100
     max_sigma_mm: float = 0.25
@@ -51,7 +54,8 @@ class FineSettings:
 
     def __post_init__(self) -> None:
         """Refuse settings that cannot be meant."""
-        for name in ("edge_zone_mm", "half_thickness_mm", "capture_mm", "max_sigma_mm", "max_point_sigma_mm"):
+        for name in ("edge_zone_mm", "half_thickness_mm", "capture_mm", "max_start_motion_mm", "max_sigma_mm",
+                     "max_point_sigma_mm"):
             if not getattr(self, name) > 0.0:
                 raise InputError(f"{name} must be above 0 mm, found {getattr(self, name)}.")
         if self.sigma_mm is not None and not self.sigma_mm > 0.0:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from core.cad import CadFace, CadModel, merge_patches
 from core.fine.boxes import make_target
 from core.fine.capture import Capture, capture
-from core.fine.checks import check_capture, check_geometry, check_scan, checked_points, chosen_faces
+from core.fine.checks import check_capture, check_geometry, check_scan, check_start, checked_points, chosen_faces
 from core.fine.estimate import Estimate, estimate
 from core.fine.held_out import half_split, held_out_means
 from core.fine.report import conditioning_in_work, ends_of, face_results, largest_motion
@@ -47,6 +47,7 @@ def solve_fine(model: CadModel, scans: Sequence[Array], start: Array, *, face_id
     asked_for = face_ids is not None
     result = estimate(targets, points, found, settings, asked_for=asked_for)
     check_geometry(result, model, settings)
+    check_start(model, start, result.measure_from_work, settings)
     return _assembled(model, start, faces, asked_for, result, found, len(points), settings)
 
 

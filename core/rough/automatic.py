@@ -62,7 +62,7 @@ class GlobalSettings:
     least_difference: float = 0.015
     same_rad: float = 0.03
     same_mm: float = 3.0
-    max_fine_move_mm: float = 3.0
+    max_fine_move_mm: float = 7.5
     capture_rad: float = 0.06
     capture_mm: float = 8.0
 

@@ -12,6 +12,7 @@ from benchmarks.unknown_blade import read_sampler, simulate, write_blade
 from core.cad import read_step
 from core.errors import FitError, InputError
 from core.fine import FineLimits, FineSettings, assign_points, judge_fine, solve_fine
+from core.fine.checks import check_start
 from core.verdict import Code
 
 BLADES = Path(resources.__file__).parent / "blades"
@@ -171,6 +172,24 @@ def test_a_named_face_without_points_is_named_in_the_refusal(dr95):
 def test_a_scan_in_metres_is_noticed(dr95, scene):
     with pytest.raises(InputError, match="metres"):
         solve_fine(dr95[0], [scene.points / 1000.0], scene.start)
+
+
+def test_a_start_in_metres_is_noticed(dr95, scene):
+    metres = scene.start.copy()
+    metres[:3, 3] = (0.9, -0.4, 0.6)
+    with pytest.raises(InputError, match=r"start's translation .* metres"):
+        solve_fine(dr95[0], [scene.points + 1500.0], metres)
+
+
+def test_a_pose_far_from_its_start_is_not_trusted(dr95, scene):
+    """What the start brings near may fit another way round too, for instance a symmetric root."""
+    model, _ = dr95
+    check_start(model, scene.start, scene.measure_from_work, FineSettings())
+    turned = scene.measure_from_work.copy()
+    turned[:3, :3] = turned[:3, :3] @ np.diag([1.0, -1.0, -1.0])
+    with pytest.raises(FitError, match="Redo the rough step") as error:
+        check_start(model, turned, scene.measure_from_work, FineSettings())
+    assert error.value.code == Code.NOT_CONVERGED
 
 
 def test_a_start_far_from_everything(dr95, scene):
