@@ -16,6 +16,7 @@ from beltgui.steps.error_surface import step as error_surface
 from beltgui.steps.error_surface.probing import Presenting
 from beltgui.steps.fine import step as fine
 from beltgui.steps.rough import step as rough
+from beltgui.steps.scans import ScanSample
 from beltgui.steps.sources import Source
 from beltgui.steps.state import TITLES, StepEvent, StepState
 from beltgui.steps.tool import step as tool
@@ -154,19 +155,19 @@ class Commissioner:
         return rough.record(found.rough), rough.headline(found.rough)
 
     def _fine(self, found: Commissioning) -> tuple[dict[str, Any], str]:
-        assert found.ball is not None and found.base is not None and found.rough is not None
+        assert found.ball is not None and found.rough is not None
         samples = self.source.fine(self._part("fine"))
         found.scan_points = np.concatenate(fine.in_measure(samples, found.ball.stage))
-        found.fine = fine.solve(
-            samples,
-            found.ball.stage,
-            found.base.fit,
-            self.model,
-            self.blade,
-            found.rough.measure_from_work,
-            unmoved_since=found.rough.measure_from_work,
-        )
+        start = found.rough.measure_from_work
+        found.fine = self._registered(found, samples, start, unmoved_since=start)
         return fine.record(found.fine), fine.headline(found.fine)
+
+    def _registered(
+        self, found: Commissioning, scans: Sequence[ScanSample], start: NDArray[np.float64], **unmoved: Any
+    ) -> fine.FineOutcome:
+        """The blade's frame from scans; `unmoved` as in the fine step's `solve`."""
+        assert found.ball is not None and found.base is not None
+        return fine.solve(scans, found.ball.stage, found.base.fit, self.model, self.blade, start, **unmoved)
 
     def _tool(self, found: Commissioning) -> tuple[dict[str, Any], str]:
         found.tool = tool.solve(self.source.tool(self._part("tool")), self.plan.grinders)
@@ -174,15 +175,9 @@ class Commissioner:
         return tool.record(found.tool), f"held-out shaft mark {held.rms_mm:.3f} mm RMS"
 
     def _error_surface(self, found: Commissioning) -> tuple[dict[str, Any], str]:
-        assert found.ball is not None and found.base is not None and found.rough is not None and found.tool is not None
-        clamped = fine.solve(
-            self.source.clamped_again(self._part("error_surface", 0.0, 0.1)),
-            found.ball.stage,
-            found.base.fit,
-            self.model,
-            self.blade,
-            found.rough.measure_from_work,
-        )
+        assert found.rough is not None and found.tool is not None
+        scans = self.source.clamped_again(self._part("error_surface", 0.0, 0.1))
+        clamped = self._registered(found, scans, found.rough.measure_from_work)
         found.clamped_again = clamped
         grinder = self.plan.grinders[self.grinder]
         wheel = found.tool.wheels[self.grinder]
@@ -194,16 +189,9 @@ class Commissioner:
         samples = self.source.error_surface(
             self._part("error_surface", 0.1, 0.95), presenting, self.blade.probing
         )
-        at_end = fine.solve(
-            self.source.after_probing(self._part("error_surface", 0.95, 1.0)),
-            found.ball.stage,
-            found.base.fit,
-            self.model,
-            self.blade,
-            clamped.fit.measure_from_work,
-            unmoved_since=clamped.fit.measure_from_work,
-            unmoved_mm=RETURNED_LIMIT_MM,
-        )
+        scans = self.source.after_probing(self._part("error_surface", 0.95, 1.0))
+        start = clamped.fit.measure_from_work
+        at_end = self._registered(found, scans, start, unmoved_since=start, unmoved_mm=RETURNED_LIMIT_MM)
         clamping = Verdict.of([*clamped.verdict.reasons, *at_end.verdict.reasons])
         info = {"blade_type": self.blade.name, "grinder": self.grinder, "date": self.date}
         rests_rad = found.tool.rests_rad.get(self.grinder, ())

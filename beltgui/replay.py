@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from beltgui.commissioning import Commissioner, Commissioning
-from beltgui.demo.run import INPUTS
 from beltgui.jobs import Job
-from beltgui.session import Session
+from beltgui.session import INPUTS, Session
 from beltgui.steps.blocks import plain
 from beltgui.steps.sources import RecordedSource
 from beltgui.steps.state import STEPS

@@ -64,12 +64,13 @@ def analyse_pose(information: ArrayLike, lever_arm_mm: float) -> Conditioning:
     rotation, translation = result.weakest_direction[:3], result.weakest_direction[3:]
     parts = []
     if np.linalg.norm(rotation) >= 0.2:
-        parts.append(f"rotation about {_unit_text(rotation)}")
+        parts.append(f"rotation about {direction_text(rotation)}")
     if np.linalg.norm(translation) >= 0.2:
-        parts.append(f"translation along {_unit_text(translation)}")
+        parts.append(f"translation along {direction_text(translation)}")
     return Conditioning(result.condition, result.weakest_direction, " with ".join(parts))
 
 
-def _unit_text(vector: Array) -> str:
+def direction_text(vector: Array) -> str:
+    """A direction (3,) of any length as `(x, y, z)` of its unit vector, for messages."""
     unit = vector / np.linalg.norm(vector) + 0.0
     return "(" + ", ".join(f"{value:.2f}" for value in unit) + ")"

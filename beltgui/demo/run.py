@@ -15,7 +15,7 @@ from beltgui.demo.proof import Proof, prove
 from beltgui.demo.truth_table import Row, TruthTable
 from beltgui.files import write_atomically
 from beltgui.jobs import Job
-from beltgui.session import Session
+from beltgui.session import INPUTS, Session
 from beltgui.steps.blocks import plain
 from beltgui.steps.context import Context
 from beltgui.steps.sources import LiveSource
@@ -28,7 +28,6 @@ from resources import blade_type_path, resource_path
 
 GRINDER = "fine"
 SESSION = "session"
-INPUTS = "inputs"
 REPORT = "report.html"
 # Goals of the demonstration: what is left on the airfoil after compensation.
 LARGEST_LEFT_RMS_MM = 0.02

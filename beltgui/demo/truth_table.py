@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beltgui.commissioning import Commissioning
+from beltgui.report.page import vector_text
 from beltgui.steps.state import STEPS, TITLES
 from core.cad import CadModel
 from core.frames import pose_error, transform_points
@@ -125,15 +126,16 @@ class TruthTable:
         at_truth, at_estimate = (transform_points(pose, self._points) for pose in (truth, estimate))
         errors = np.linalg.norm(at_estimate - at_truth, axis=1)
         for place, true, found, error in zip(("root", "mid", "tip"), at_truth, at_estimate, errors, strict=True):
-            self.add(step, f"{what}, {place}", _vector(true), _vector(found), _length(error))
+            self.add(step, f"{what}, {place}", vector_text(true), vector_text(found), _length(error))
 
     def _point(self, step: str, what: str, truth: Array, estimate: Array) -> None:
-        self.add(step, what, _vector(truth), _vector(estimate), _length(float(np.linalg.norm(estimate - truth))))
+        error = float(np.linalg.norm(estimate - truth))
+        self.add(step, what, vector_text(truth), vector_text(estimate), _length(error))
 
     def _pose(self, step: str, what: str, truth: Array, estimate: Array, about: Array) -> None:
         error = pose_error(estimate, truth, about)
         angle = np.degrees(np.linalg.norm(error[:3]))
-        self.add(step, f"{what}, position", _vector(truth[:3, 3]), _vector(estimate[:3, 3]),
+        self.add(step, f"{what}, position", vector_text(truth[:3, 3]), vector_text(estimate[:3, 3]),
                  _length(float(np.linalg.norm(error[3:]))))
         self.add(step, f"{what}, orientation", "–", "–", f"{angle:.4f} °")
 
@@ -161,10 +163,6 @@ def as_text(rows: list[Row], verdicts: dict[str, str]) -> str:
     widths = [max(len(line[column]) for line in lines) for column in range(len(header))]
     text = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines]
     return "\n".join([text[0], "-" * len(text[0]), *text[1:]])
-
-
-def _vector(value: Array) -> str:
-    return "(" + ", ".join(f"{number:.3f}" for number in value) + ") mm"
 
 
 def _length(value: float) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from beltgui.commissioning import Commissioning
 from beltgui.report import figures, scenes
-from beltgui.report.page import Figure, Page, Section, Table
+from beltgui.report.page import Figure, Page, Section, Table, vector_text
 from beltgui.steps.held_out import HeldOut
 from beltgui.steps.state import STEPS, TITLES
 from core.cad import CadModel
@@ -122,7 +122,7 @@ def _base(found: Commissioning) -> Section:
         *_pose_rows("measure in base", fit.base_from_measure),
         ("uncertainty of the position, k = 2", _um(2.0 * np.linalg.norm(sigma[3:])), "at the middle of the poses"),
         ("uncertainty of the orientation, k = 2", f"{np.degrees(2.0 * np.linalg.norm(sigma[:3])):.4f} °", ""),
-        ("ball in flange", _vector(fit.ball_in_flange_mm), "{F}"),
+        ("ball in flange", vector_text(fit.ball_in_flange_mm), "{F}"),
         ("RMS", _um(fit.rms_mm), "residuals of the fit"),
         ("weakest direction", fit.conditioning.description, f"condition {fit.conditioning.condition:.1f}"),
         _held_row(outcome.held_out),
@@ -193,7 +193,7 @@ def _tool(found: Commissioning) -> Section:
     assert outcome is not None
     stylus = outcome.stylus
     rows = [
-        ("stylus tip", _vector(stylus.tip_in_flange_mm), "{F}"),
+        ("stylus tip", vector_text(stylus.tip_in_flange_mm), "{F}"),
         ("uncertainty of the tip, k = 2", _um(2.0 * float(np.sqrt(np.trace(stylus.tip_covariance_mm2)))), ""),
         ("pivot RMS", _um(stylus.rms_mm), "residuals of the fit"),
         _held_row(outcome.cone_held_out),
@@ -282,12 +282,8 @@ def _held_row(held: HeldOut) -> tuple[str, str, str]:
 def _pose_rows(what: str, pose: Array) -> list[tuple[str, str, str]]:
     angles = np.degrees(euler_zyx_from_rotation(pose[:3, :3]))
     text = "(" + ", ".join(f"{angle:.4f}" for angle in angles) + ") °"
-    return [(f"{what}, translation", _vector(pose[:3, 3]), "x, y, z"),
+    return [(f"{what}, translation", vector_text(pose[:3, 3]), "x, y, z"),
             (f"{what}, Euler angles", text, "alpha, beta, gamma of Rz Ry Rx")]
-
-
-def _vector(value: Array) -> str:
-    return "(" + ", ".join(f"{number:.3f}" for number in value) + ") mm"
 
 
 def _um(value_mm: float) -> str:

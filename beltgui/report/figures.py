@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
-GREY, BLUE, ORANGE, RED = "#6c757d", "#1f4e79", "#c55a11", "#b02a37"
+BLUE, ORANGE = "#1f4e79", "#c55a11"
 # Okabe and Ito's palette tells faces apart for colour-blind readers too.
 PALETTE = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#999933", "#882255")
 

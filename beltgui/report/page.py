@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from html import escape
 
@@ -82,6 +82,11 @@ def render(page: Page) -> str:
         f'<h1>{escape(page.title)}</h1><p class="lead">{escape(page.lead)}</p>\n'
         f'<div class="verdict {kind}">{word}. {escape(page.headline)}</div>\n{body}\n</main></body></html>\n'
     )
+
+
+def vector_text(value_mm: Iterable[float]) -> str:
+    """A point or a translation with its unit."""
+    return "(" + ", ".join(f"{number:.3f}" for number in value_mm) + ") mm"
 
 
 def _section(section: Section) -> str:

@@ -108,12 +108,13 @@ def error_on_blade(model: CadModel, airfoil: AirfoilSurface, surface: ErrorSurfa
     patch.dimensions = (ACROSS, ALONG, 1)
     patch["mm"] = surface.evaluate(u, v)
     limit = float(np.nanmax(np.abs(patch["mm"])))
+    blade = blade_mesh(model)
     prepare_rendering()
     plotter = pyvista.Plotter(off_screen=True, window_size=SIZE, shape=(2, 1), border=False)
     for row, (side, look_from) in enumerate((("suction side", (0.3, 1.0, 0.1)), ("pressure side", (0.3, -1.0, 0.1)))):
         plotter.subplot(row, 0)
         plotter.set_background("white")
-        plotter.add_mesh(blade_mesh(model), color=CAD_GREY, smooth_shading=True, split_sharp_edges=True)
+        plotter.add_mesh(blade, color=CAD_GREY, smooth_shading=True, split_sharp_edges=True)
         plotter.add_mesh(patch, scalars="mm", cmap="RdBu_r", clim=(-limit, limit), nan_opacity=0.0,
                          show_scalar_bar=row == 1, scalar_bar_args=_bar("normal error in mm", "%.1f"))  # fmt: skip
         plotter.add_text(side, font_size=9, color="black")

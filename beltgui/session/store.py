@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from core.errors import InputError
 
 DATABASE = "session.db"
+INPUTS = "inputs"
 FORMAT = 1
 
 SCHEMA = """

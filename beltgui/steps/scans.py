@@ -87,7 +87,7 @@ def _take(context: Context, step: str, pose: ScanPose, kind: str) -> ScanSample:
         "time_s": scan.time_s,
     }
     sample = context.session.add_sample(step, kind, data, scan.points_mm)
-    return _from_sample(context.session, sample)
+    return _scan_sample(sample, scan.valid_points_mm())
 
 
 def read_scans(session: Session, step: str, kind: str = KIND) -> list[ScanSample]:
@@ -96,14 +96,14 @@ def read_scans(session: Session, step: str, kind: str = KIND) -> list[ScanSample
     Raises:
         InputError: there are none, or a cloud is gone or damaged.
     """
-    return [_from_sample(session, sample) for sample in session.kept(step, kind)]
+    return [_scan_sample(sample, session.points(sample)) for sample in session.kept(step, kind)]
 
 
-def _from_sample(session: Session, sample: Sample) -> ScanSample:
+def _scan_sample(sample: Sample, points_in_scanner: Array) -> ScanSample:
     x, y, z = sample.data["stage_mm"]
     return ScanSample(
         sample.data["name"],
         np.array(sample.data["base_from_flange"]),
         StagePosition(x, y, z, sample.data["stage_rad"]),
-        session.points(sample),
+        points_in_scanner,
     )

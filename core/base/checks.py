@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from core.base.start import Start, global_start
+from core.conditioning import direction_text
 from core.errors import FitError, InputError
 from core.flange_poses import METRES_BELOW_MM, angles_between, checked_flange_poses, pose_groups
 from core.frames import inverse
@@ -94,8 +95,8 @@ def check_variation(poses: Array, balls: Array) -> None:
     values, directions = np.linalg.svd(balls - balls.mean(axis=0))[1:]
     if values[1] < _COLLINEAR * values[0]:
         raise FitError(
-            f"The ball centres lie on one line, along {_text(directions[0])} in the measuring frame: the rotation "
-            "about that line is free. Add poses to the side of it.",
+            f"The ball centres lie on one line, along {direction_text(directions[0])} in the measuring frame: the "
+            "rotation about that line is free. Add poses to the side of it.",
             Code.NOT_ENOUGH_VARIATION,
         )
 
@@ -113,10 +114,10 @@ def _check_turns(turns: Array) -> None:
             Code.NOT_ENOUGH_VARIATION,
         )
     if values[2] < _MIN_TURN:
-        axis = directions[2]
+        in_flange, in_base = direction_text(directions[2]), direction_text(turns.mean(axis=0) @ directions[2])
         raise FitError(
-            f"The flange turns about one axis only, {_text(axis)} in the flange frame: the ball's offset along it and "
-            f"the translation of the measuring frame along {_text(turns.mean(axis=0) @ axis)} in the base frame cannot "
+            f"The flange turns about one axis only, {in_flange} in the flange frame: the ball's offset along it and "
+            f"the translation of the measuring frame along {in_base} in the base frame cannot "
             "be told apart. Add poses tilted by 5 deg or more about another axis.",
             Code.NOT_ENOUGH_VARIATION,
         )
@@ -182,7 +183,3 @@ def _worst(rms: float, poses: Array, balls: Array) -> str:
     if rest[worst] > _EXPLAINED * rms:
         return ""
     return f" Without observation {worst} (counted from 0) it would be {rest[worst]:.3g} mm: look at that one first."
-
-
-def _text(vector: Array) -> str:
-    return "(" + ", ".join(f"{value:.2f}" for value in vector + 0.0) + ")"

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from core.base.checks import check_start, check_variation, checked_observations
 from core.base.start import global_start
-from core.conditioning import Conditioning, analyse
+from core.conditioning import Conditioning, analyse, direction_text
 from core.errors import FitError, InputError
 from core.flange_poses import pose_groups
 from core.frames import PoseCovariance, perturbed, rigid, skew, transform_points
@@ -285,7 +285,7 @@ def _conditioning(problem: _Problem, state: _State) -> Conditioning:
     result = analyse(information, scales, [""] * UNKNOWNS)
     weak = result.weakest_direction
     parts = [
-        f"{what} {_text(part)}"
+        f"{what} {direction_text(part)}"
         for what, part in (
             ("rotation about", weak[:3]),
             ("translation of the measuring frame along base", weak[3:6]),
@@ -294,11 +294,6 @@ def _conditioning(problem: _Problem, state: _State) -> Conditioning:
         if np.linalg.norm(part) >= 0.2
     ]
     return Conditioning(result.condition, weak, " with ".join(parts))
-
-
-def _text(vector: Array) -> str:
-    unit = vector / np.linalg.norm(vector)
-    return "(" + ", ".join(f"{value:.2f}" for value in unit + 0.0) + ")"
 
 
 def _checked_covariance(covariance: ArrayLike | None, n: int) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.stats import f as fisher
 
-from core.conditioning import Conditioning, analyse
+from core.conditioning import Conditioning, analyse, direction_text
 from core.errors import FitError, InputError
 from core.flange_poses import angles_between, checked_flange_poses, pose_groups
 from core.held_out import FALSE_ALARM, held_out_residuals, odd_one_out
@@ -134,10 +134,11 @@ def _check_variation(poses: Array) -> None:
             Code.NOT_ENOUGH_VARIATION,
         )
     if values[2] < _MIN_TURN:
-        axis = directions[2]
+        in_flange = direction_text(directions[2])
+        in_base = direction_text(poses[:, :3, :3].mean(axis=0) @ directions[2])
         raise FitError(
-            f"The flange turns about one axis only, {_text(axis)} in the flange frame (by up to {largest:.3g} deg): "
-            f"the tip's component along it, and the pivot's along {_text(poses[:, :3, :3].mean(axis=0) @ axis)} in the "
+            f"The flange turns about one axis only, {in_flange} in the flange frame (by up to {largest:.3g} deg): "
+            f"the tip's component along it, and the pivot's along {in_base} in the "
             "base frame, stay free. Add touches tilted by 20 deg or more about another axis.",
             Code.NOT_ENOUGH_VARIATION,
         )
@@ -252,12 +253,8 @@ def _refuse_undetermined(fit: StylusFit) -> None:
     sigma = float(np.sqrt(variances[-1]))
     if sigma > _HOPELESS_TIP_MM:
         raise FitError(
-            f"The touches do not determine the tip along {_text(directions[:, -1])} in the flange frame: standard "
-            f"deviation {sigma:.3g} mm. Tilt the flange further about the axes across it, and check touch {fit.worst} "
-            "(counted from 0) first.",
+            f"The touches do not determine the tip along {direction_text(directions[:, -1])} in the flange frame: "
+            f"standard deviation {sigma:.3g} mm. Tilt the flange further about the axes across it, and check touch "
+            f"{fit.worst} (counted from 0) first.",
             Code.NOT_ENOUGH_VARIATION,
         )
-
-
-def _text(vector: Array) -> str:
-    return "(" + ", ".join(f"{value:.2f}" for value in vector + 0.0) + ")"

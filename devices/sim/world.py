@@ -147,10 +147,6 @@ class World:
         """(6,) joint angles now, as the encoders see them."""
         return self.motion.joints_at(self.clock.now_s())
 
-    def reported_flange(self) -> Array:
-        """base_from_flange as the robot believes it to be."""
-        return self.nominal_arm.forward(self.joints())
-
     def true_flange(self) -> Array:
         """base_from_flange as it is."""
         return np.asarray(self.true_arm.forward(self.joints()) @ self.motion.noise)
