@@ -9,13 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beltgui.jobs import Job
-from beltgui.session import Session
+from beltgui.session import Sample, Session
 from core.cad.blade_type import BladeType
 from devices.cell_plan import CellPlan
 from devices.interfaces import Cell, Refused, RobotMover, RobotPath, RobotReading
 from devices.interfaces.robot import MAX_SPEED_MM_S
 
 Consent = Callable[[RobotPath, str], bool]
+SampleListener = Callable[[Sample], None]
+
+
+def _nobody(sample: Sample) -> None:
+    """Nobody listens."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +36,7 @@ class Context:
         consent: Shown each path before the robot takes it; answers whether a person wants the motion.
         job: Progress and cancel.
         speed_mm_s: Of the flange, at most 250.
+        on_sample: Told of each sample once it is kept.
     """
 
     cell: Cell
@@ -41,6 +47,7 @@ class Context:
     consent: Consent
     job: Job = field(default_factory=Job)
     speed_mm_s: float = MAX_SPEED_MM_S
+    on_sample: SampleListener = _nobody
 
     def mover(self) -> RobotMover:
         """The robot, if it moves on request.
