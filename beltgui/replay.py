@@ -12,7 +12,7 @@ from beltgui.commissioning import Commissioner, Commissioning
 from beltgui.jobs import Job
 from beltgui.session import INPUTS, Session
 from beltgui.steps.blocks import plain
-from beltgui.steps.sources import RecordedSource
+from beltgui.steps.room import Bench
 from beltgui.steps.state import STEPS
 from core.cad import read_step
 from core.cad.blade_type import BladeType, read_blade_type
@@ -101,16 +101,12 @@ def replay_session(folder: Path, job: Job | None = None) -> Replay:
             raise InputError(str(error)) from error
         steps: list[ReplayedStep] = []
 
-        def compare(step: str, record: Mapping[str, Any], accepted: bool) -> None:
+        def compare(step: str, record: Mapping[str, Any], headline: str, accepted: bool) -> None:
             found = list(_differences(kept[step].record, plain(record), ""))
             steps.append(ReplayedStep(step, accepted, tuple(found[:MOST_DIFFERENCES]), len(found)))
 
-        outcomes = Commissioning()
-        Commissioner(
-            source=RecordedSource(session), plan=plan, blade=blade, model=read_step(blade.step_path),
-            grinder=_text(info, "grinder", folder), date=_text(info, "date", folder), job=job or Job(), keep=compare,
-            on_step=lambda event: None,
-        ).run(outcomes, only=tuple(kept))  # fmt: skip
+        bench = Bench(session, plan, blade, read_step(blade.step_path), _text(info, "date", folder))
+        outcomes = Commissioner(bench, None, job or Job(), compare, lambda event: None).run(only=tuple(kept))
     return Replay(info, tuple(steps), outcomes, (folder / "session.db", blade_file, cell_file, blade.step_path))
 
 

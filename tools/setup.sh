@@ -42,6 +42,8 @@ missing_packages() {
     done
     command -v xvfb-run >/dev/null || printf 'xvfb\nxauth\n'
     fc-list 2>/dev/null | grep -q . || printf 'fontconfig\nfonts-dejavu-core\n'
+    fc-list :lang=zh-cn 2>/dev/null | grep -q . || printf 'fontconfig\nfonts-wqy-microhei\n'
+    command -v xdotool >/dev/null || printf 'xdotool\n'
     python3 -c 'import venv, ensurepip' 2>/dev/null || printf 'python3\npython3-venv\n'
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -18,15 +18,17 @@ from beltgui.jobs import Job
 from beltgui.session import INPUTS, Session
 from beltgui.steps.blocks import plain
 from beltgui.steps.context import Context
-from beltgui.steps.sources import LiveSource
+from beltgui.steps.graph import stands_on
+from beltgui.steps.room import Bench, Room
 from beltgui.steps.state import StepEvent, StepState
-from core.cad import CadModel, read_step
+from core.cad import read_step
 from core.cad.blade_type import BladeType, read_blade_type
 from core.errors import InputError
 from devices.cell_plan import CellFileError
 from resources import blade_type_path, resource_path
 
 GRINDER = "fine"
+PERSON = "demonstration"
 SESSION = "session"
 REPORT = "report.html"
 # Goals of the demonstration: what is left on the airfoil after compensation.
@@ -110,7 +112,8 @@ def run_demo(
             "probing_grid": [blade.probing.u_count, blade.probing.v_count]}  # fmt: skip
     with Session.create(folder, info) as session:
         _keep_inputs(folder / INPUTS, cell_file, blade)
-        found = Commissioning()
+        bench = Bench(session, simulated.plan, blade, model, date)
+        found = Commissioning(bench)
 
         def announce(event: StepEvent) -> None:
             if event.state is StepState.RUNNING and faults is not None:
@@ -120,18 +123,21 @@ def run_demo(
             if on_step is not None:
                 on_step(event)
 
-        context = Context(simulated.cell, simulated.plan, blade, serial, session, lambda path, purpose: True,
-                          work.part(0.0, 0.9))  # fmt: skip
-        commissioner = Commissioner(
-            source=LiveSource(context), plan=simulated.plan, blade=blade, model=model, grinder=GRINDER, date=date,
-            job=context.job, keep=lambda step, record, ok: session.put_result(step, plain(record), accepted=ok),
-            on_step=announce,
-        )  # fmt: skip
-        commissioner.run(found)
+        def keep(step: str, record: Mapping[str, Any], headline: str, ok: bool) -> None:
+            session.put_result(step, plain(record), ok=ok, headline=headline, stands_on=stands_on(session, step))
+            if ok:
+                session.accept(step, PERSON)
+
+        context = Context(simulated.cell, simulated.plan, blade, serial, session, lambda path, purpose: True)
+
+        def acquire(room: Room, part: Job) -> None:
+            room.acquire(bench, replace(context, job=part))
+
+        Commissioner(bench, acquire, work.part(0.0, 0.9), keep, announce).run()
         programs = tuple(_write_programs(out_dir, found))
         proof = prove(simulated.world, GRINDER, found.programs, work.part(0.9, 0.96)) if found.programs else None
-    headline, accepted = _judge(found, proof)
-    report = _write_report(out_dir, found, table.rows, proof, model, blade, info, accepted, headline, work)
+        headline, accepted = _judge(found, proof)
+        report = _write_report(out_dir, found, table.rows, proof, info, accepted, headline, work)
     return DemoResult(report, folder, programs, found, tuple(table.rows), proof, accepted, headline)
 
 
@@ -168,8 +174,6 @@ def _write_report(
     found: Commissioning,
     rows: list[Row],
     proof: Proof | None,
-    model: CadModel,
-    blade: BladeType,
     info: dict[str, Any],
     accepted: bool,
     headline: str,
@@ -179,7 +183,7 @@ def _write_report(
     from beltgui.report.page import render
 
     job.report(0.97, "writing the report")
-    page = commissioning_page(found, model, blade, info, accepted=accepted, headline=headline, rows=rows, proof=proof)
+    page = commissioning_page(found, info, accepted=accepted, headline=headline, rows=rows, proof=proof)
     path = out_dir / REPORT
     write_atomically(path, render(page).encode())
     job.report(1.0, "done")

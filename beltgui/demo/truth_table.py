@@ -117,9 +117,9 @@ class TruthTable:
             self._pose("tool", f"wheel of grinder {name} in base", truth, wheel.base_from_tool, truth[:3, 3])
 
     def _error_surface(self, found: Commissioning) -> None:
-        assert found.clamped_again is not None
+        assert found.error_surface is not None
         self._blade("error_surface", "blade in flange, clamped again", self._truth.flange_from_work,
-                    found.clamped_again.flange_from_work)
+                    found.error_surface.clamped_again.flange_from_work)
 
     def _blade(self, step: str, what: str, truth: Array, estimate: Array) -> None:
         """Errors at root, mid and tip."""

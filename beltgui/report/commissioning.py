@@ -14,7 +14,6 @@ from beltgui.report.page import Figure, Page, Section, Table, vector_text
 from beltgui.steps.held_out import HeldOut
 from beltgui.steps.state import STEPS, TITLES
 from core.cad import CadModel
-from core.cad.blade_type import BladeType
 from core.fine import assign_points
 from core.frames import euler_zyx_from_rotation, inverse, transform_points
 
@@ -28,8 +27,6 @@ SCALE_SIGMAS = 3.0
 
 def commissioning_page(
     found: Commissioning,
-    model: CadModel,
-    blade: BladeType,
     info: Mapping[str, Any],
     *,
     accepted: bool,
@@ -41,14 +38,13 @@ def commissioning_page(
 
     Args:
         found: Outcomes of the steps; those not reached are left out.
-        model: The blade's CAD model.
-        blade: Its type.
         info: Software, serial, cell, date.
         accepted: The verdict over all.
         headline: Its sentence.
         rows: Truth against estimate, where the cell is simulated.
         proof: True normal errors along the paths, where the cell is simulated.
     """
+    model, blade = found.bench.model, found.bench.blade
     made = {
         "ball": lambda: _ball(found),
         "base": lambda: _base(found),
@@ -163,7 +159,7 @@ def _fine(found: Commissioning, model: CadModel) -> Section:
         "Held out: mean distance of the face's points under the pose that the other faces give without it; – where "
         "they do not determine it, or where the face has no points.",
     )  # fmt: skip
-    points = found.scan_points
+    points = found.scan_points()
     used = [face.id for face in fit.faces if face.used]
     assigned = assign_points(model, points, fit.measure_from_work, used)
     ids, distances = assigned.face_id, assigned.distance_mm
@@ -216,9 +212,9 @@ def _tool(found: Commissioning) -> Section:
 
 
 def _error_surface(found: Commissioning, model: CadModel) -> Section:
-    outcome, presenting = found.error_surface, found.presenting
-    assert outcome is not None and presenting is not None
-    surface = outcome.surface
+    outcome = found.error_surface
+    assert outcome is not None
+    surface, presenting = outcome.surface, outcome.presenting
     known = surface.sample_error_mm[surface.used]
     rows = [
         ("samples used", f"{int(surface.used.sum())} of {len(surface.used)}",
