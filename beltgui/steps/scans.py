@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,29 +43,41 @@ class ScanSample:
         return np.array([self.stage.x_mm, self.stage.y_mm, self.stage.z_mm])
 
 
+def missing_slots(session: Session, step: str, count: int, kind: str = KIND) -> list[int]:
+    """Which of the planned samples 0 to `count` - 1 have not been taken, or were deleted."""
+    there = {sample.data["slot"] for sample in session.samples(step, kind)}
+    return [slot for slot in range(count) if slot not in there]
+
+
 def acquire_scans(
-    context: Context, step: str, poses: Sequence[ScanPose], kind: str = KIND
+    context: Context, step: str, poses: Sequence[ScanPose], kind: str = KIND, note: Mapping[str, Any] | None = None
 ) -> list[ScanSample]:
-    """Visit the poses and scan at each; the robot moves only if it is not there already.
+    """Visit the poses that have no scan yet and scan at each; the robot moves only if it is not there already.
 
     Args:
         context: Cell and session.
         step: Which step the samples are kept for.
-        poses: Where to scan.
+        poses: Where to scan; a pose's place in the list is its sample's `slot`.
         kind: Which kind of sample.
+        note: What else to keep with each sample.
+
+    Returns:
+        The scans taken now.
 
     Raises:
         DeviceError: a device failed or refused; what was taken before stays in the session.
         Cancelled: the job was cancelled.
     """
-    if not context.cell.stage.homed:
+    slots = missing_slots(context.session, step, len(poses), kind)
+    if slots and not context.cell.stage.homed:
         context.cell.stage.home()
     samples: list[ScanSample] = []
-    for number, pose in enumerate(poses):
-        context.job.report(number / len(poses), f"scan {number + 1} of {len(poses)}: {pose.name}")
+    for slot in slots:
+        pose = poses[slot]
+        context.job.report(slot / len(poses), f"scan {slot + 1} of {len(poses)}: {pose.name}")
         if not _stands_at(context.cell.robot.read().base_from_flange, pose.base_from_flange):
             context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
-        samples.append(_take(context, step, pose, kind))
+        samples.append(_take(context, step, pose, kind, {**(note or {}), "slot": slot}))
     return samples
 
 
@@ -75,7 +88,7 @@ def _stands_at(base_from_flange: Array, target: Array) -> bool:
     return bool(shift_mm < THERE_MM and turn_rad < THERE_RAD)
 
 
-def _take(context: Context, step: str, pose: ScanPose, kind: str) -> ScanSample:
+def _take(context: Context, step: str, pose: ScanPose, kind: str, note: Mapping[str, Any]) -> ScanSample:
     stage = context.cell.stage.move_to(pose.stage)
     scan = context.cell.scanner.capture()
     reading = context.cell.robot.read()
@@ -85,8 +98,10 @@ def _take(context: Context, step: str, pose: ScanPose, kind: str) -> ScanSample:
         "stage_mm": [stage.x_mm, stage.y_mm, stage.z_mm],
         "stage_rad": stage.theta_rad,
         "time_s": scan.time_s,
+        **note,
     }
     sample = context.session.add_sample(step, kind, data, scan.points_mm)
+    context.on_sample(sample)
     return _scan_sample(sample, scan.valid_points_mm())
 
 
