@@ -16,6 +16,7 @@ from core.fine.noise import shortest_half_sigma
 from core.fine.settings import FineSettings
 from core.fine.slides import slid_poses
 from core.frames import perturbed, transform_points
+from core.progress import Progress, part, silent
 from core.robust import tukey_weights
 
 Array = NDArray[np.float64]
@@ -81,7 +82,7 @@ class Capture:
 
 
 def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Array,
-            settings: FineSettings) -> Capture | None:
+            settings: FineSettings, progress: Progress = silent) -> Capture | None:
     """Best of several starts around the given one; None where no point comes near the model.
 
     Args:
@@ -90,21 +91,26 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
         points: (N, 3) mm in M.
         start: measure_from_work.
         settings: See there.
+        progress: Told of the stages.
     """
     ids = {number for target in targets for number in target.patch.face_ids}
+    progress(0.0, "points of the CAD model")
     samples = sample_model(model.tessellate(TESSELLATION_MM), ids, settings.seed)
+    progress(0.1, "thinning the scan")
     thin = thin_scan(points, samples, start, settings.coarse_points, settings.capture_mm, settings.seed)
     if len(thin.points) < _LEAST_THIN_POINTS:
         return None
     pose = start
     if settings.search:
-        pose = _best_coarse(samples, thin, model, start, settings)
+        pose = _best_coarse(samples, thin, model, start, settings, part(progress, 0.2, 0.75))
+        progress(0.75, "looking for the fixture's planes")
         pose = _without_fixture(samples, thin, pose, settings)
-        pose = _without_slide(samples, thin, targets, pose, settings)
+        pose = _without_slide(samples, thin, targets, pose, settings, part(progress, 0.78, 0.85))
     rng = np.random.default_rng(settings.seed)
     medium = points
     if len(points) > settings.medium_points:
         medium = points[rng.choice(len(points), settings.medium_points, replace=False)]
+    progress(0.85, "tightening the filter boxes")
     tight = tighten(targets, medium, pose, settings)
     if tight is None:
         return None
@@ -114,7 +120,7 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
 
 
 def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: Array,
-                 settings: FineSettings) -> Array:
+                 settings: FineSettings, progress: Progress) -> Array:
     """Several starts around the given one until the best pose was reached twice.
 
     A blade has parallel faces a few mm apart: one start may end with some faces of the scan on the wrong ones.
@@ -124,6 +130,7 @@ def _best_coarse(samples: ModelSamples, thin: ThinScan, model: CadModel, start: 
     corners = model.bounds_mm[np.array(list(np.ndindex(2, 2, 2))), np.arange(3)]
     best, best_score, reached = start, -1.0, 0
     for attempt in range(_MOST_STARTS):
+        progress(attempt / _MOST_STARTS, f"start {attempt + 1} is aligned")
         wide = attempt % _WIDE_EVERY == _WIDE_EVERY - 1
         pose = align(samples, some, _varied(start, model, attempt, rng), settings.capture_mm * (1.0 if wide else 0.5),
                      kernel_mm=_WIDE_KERNEL_MM if wide else _NARROW_KERNEL_MM)
@@ -158,10 +165,12 @@ def _without_fixture(samples: ModelSamples, thin: ThinScan, pose: Array, setting
 
 
 def _without_slide(samples: ModelSamples, thin: ThinScan, targets: Sequence[Target], pose: Array,
-                   settings: FineSettings) -> Array:
+                   settings: FineSettings, progress: Progress) -> Array:
     """The pose, or the better one that lies a shift along some faces' normal away."""
     best, best_score = pose, support(samples, thin, pose).score
-    for slid in slid_poses(targets, thin, pose, settings.capture_mm):
+    slides = slid_poses(targets, thin, pose, settings.capture_mm)
+    for number, slid in enumerate(slides):
+        progress(number / len(slides), "looking for parallel faces")
         if support(samples, thin, slid).score < _WORTH_A_TRY * best_score:
             continue
         tried = align(samples, thin, slid, settings.capture_mm, kernel_mm=_POLISH_KERNEL_MM)

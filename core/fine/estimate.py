@@ -16,6 +16,7 @@ from core.fine.moments import Moments, accumulate, normal_equations, solve_momen
 from core.fine.noise import WINDOW_SIGMAS, Mixture, fit_mixture
 from core.fine.settings import FineSettings
 from core.frames import pose_error
+from core.progress import Progress, part, silent
 from core.verdict import Code
 
 Array = NDArray[np.float64]
@@ -115,7 +116,7 @@ class Estimate:
 
 
 def estimate(targets: Sequence[Target], points: Array, found: Capture, settings: FineSettings, *,
-             asked_for: bool) -> Estimate:
+             asked_for: bool, progress: Progress = silent) -> Estimate:
     """Pose from all points.
 
     Args:
@@ -124,25 +125,29 @@ def estimate(targets: Sequence[Target], points: Array, found: Capture, settings:
         found: Pose and scatter of the capture.
         settings: See there.
         asked_for: True where the faces were named by the caller: none may be left out then.
+        progress: Told of each pass.
 
     Raises:
         FitError: too few points, or the iteration does not settle.
     """
     sigma = settings.sigma_mm or found.sigma_mm
+    progress(0.0, "points of the faces")
     boxes = gather(targets, points, found.measure_from_work, half_thickness_mm=WINDOW_SIGMAS * 1.1 * sigma,
                    margin_mm=settings.edge_margin_mm)
     faces = [_opened(target, box, sigma, settings) for target, box in zip(targets, boxes, strict=True)]
     if not asked_for:
         faces = [_unless_overhung(face, found.overhung) for face in faces]
     _refuse_poor(faces, settings, asked_for)
-    result = _converged(faces, found.measure_from_work, sigma, settings, asked_for)
+    result = _converged(faces, found.measure_from_work, sigma, settings, asked_for, part(progress, 0.0, 0.5))
+    left = 0.5
     while not asked_for:
         odd = _at_odds(result)
         if odd is None:
             break
         faces = [replace(face, used=False, note=odd[1]) if face is odd[0] else face for face in result.faces]
         _refuse_poor(faces, settings, asked_for)
-        result = _converged(faces, result.measure_from_work, result.sigma_mm, settings, asked_for)
+        told, left = part(progress, 1.0 - left, 1.0 - left / 2.0), left / 2.0
+        result = _converged(faces, result.measure_from_work, result.sigma_mm, settings, asked_for, told)
     return result
 
 
@@ -178,7 +183,7 @@ def _refuse_poor(faces: Sequence[FaceFit], settings: FineSettings, asked_for: bo
 
 
 def _converged(faces: Sequence[FaceFit], start: Array, sigma: float, settings: FineSettings,
-               asked_for: bool) -> Estimate:
+               asked_for: bool, progress: Progress) -> Estimate:
     """Passes until the pose stands still."""
     pose = start
     used_points = np.concatenate([face.box.points for face in faces if face.used])
@@ -186,6 +191,7 @@ def _converged(faces: Sequence[FaceFit], start: Array, sigma: float, settings: F
     lever = max(float(np.sqrt(((used_points - centre) ** 2).sum(axis=1).mean())), 1.0)
     current = list(faces)
     for number in range(1, settings.max_passes + 1):
+        progress(1.0 - 0.9**number, f"pass {number} over the points of the faces")
         current = _with_distances(current, pose)
         pooled = _pooled(current, sigma, settings)
         current = [_weighted(face, pooled, pose, centre, settings, number) for face in current]

@@ -17,12 +17,13 @@ from core.fine.report import conditioning_in_work, ends_of, face_results, larges
 from core.fine.result import FineFit
 from core.fine.settings import FineSettings
 from core.frames import PoseCovariance, checked_rigid, transform_points
+from core.progress import Progress, part, silent
 
 Array = NDArray[np.float64]
 
 
 def solve_fine(model: CadModel, scans: Sequence[Array], start: Array, *, face_ids: Sequence[int | str] | None = None,
-               settings: FineSettings | None = None) -> FineFit:
+               settings: FineSettings | None = None, progress: Progress = silent) -> FineFit:
     """Register scans on the faces of a CAD model.
 
     Args:
@@ -32,6 +33,7 @@ def solve_fine(model: CadModel, scans: Sequence[Array], start: Array, *, face_id
         face_ids: Ids or names of the faces to measure on (planes and cylinders); None for all that can be used and
             have points.
         settings: See `FineSettings`.
+        progress: Told of each start tried and each pass over the points; what it raises ends the work.
 
     Raises:
         InputError: unusable points, start or face.
@@ -42,10 +44,12 @@ def solve_fine(model: CadModel, scans: Sequence[Array], start: Array, *, face_id
     points = checked_points(scans)
     faces = chosen_faces(model, face_ids)
     check_scan(model, points)
+    progress(0.0, "faces of the CAD model")
     targets = [make_target(patch) for patch in merge_patches(faces)]
-    found = check_capture(capture(model, targets, points, start, settings), model, points, start, settings)
+    captured = capture(model, targets, points, start, settings, part(progress, 0.05, 0.8))
+    found = check_capture(captured, model, points, start, settings)
     asked_for = face_ids is not None
-    result = estimate(targets, points, found, settings, asked_for=asked_for)
+    result = estimate(targets, points, found, settings, asked_for=asked_for, progress=part(progress, 0.8, 1.0))
     check_geometry(result, model, settings)
     check_start(model, start, result.measure_from_work, settings)
     return _assembled(model, start, faces, asked_for, result, found, len(points), settings)

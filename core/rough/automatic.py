@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from core.cad import CadModel
 from core.errors import FitError, InputError
 from core.frames import Array, inverse, rotvec_from_rotation, transform_points
+from core.progress import Progress, part, silent
 from core.rough.pair_checks import finite_points
 from core.rough.refine import Agreement, agreement, refined, rough_scores
 from core.rough.search import TranslationSearch, rotations_from_directions
@@ -22,6 +23,8 @@ _SAMPLE_SPACING_MM = 1.0
 _SMALL, _LARGE, _COMPARED = 300, 1500, 6000
 _KEPT_AFTER_SEARCH, _KEPT_AFTER_SCORE, _KEPT_AFTER_ALIGN = 300, 40, 8
 _WIDE_GATES_MM = (8.0, 6.0, 5.0, 4.0, 3.0, 2.0)
+# Share of the time, roughly, at which the stages of the search begin.
+_SEARCH_BEGINS, _ALIGN_BEGINS, _COMPARE_BEGINS = 0.2, 0.6, 0.85
 _NARROW_GATES_MM = (3.0, 2.0, 1.5, 1.0, 0.7, 0.5, 0.4, 0.3, 0.3)
 
 
@@ -98,7 +101,8 @@ class GlobalFit(Generic[FineT_co]):
 
 
 def register_globally(model: CadModel, points: ArrayLike, *, confirm: Confirm[FineT_co], seed: int = 0,
-                      settings: GlobalSettings | None = None) -> GlobalFit[FineT_co]:
+                      settings: GlobalSettings | None = None,
+                      progress: Progress = silent) -> GlobalFit[FineT_co]:
     """Find the blade in a scan from any starting pose.
 
     Rotations lay flat directions of the scan on flat directions of the model; for each rotation all translations are
@@ -111,6 +115,7 @@ def register_globally(model: CadModel, points: ArrayLike, *, confirm: Confirm[Fi
         confirm: The fine step, called as `confirm(model, [points], measure_from_work)`; raises FitError to refuse.
         seed: Of the random thinning.
         settings: What a pose must fulfil.
+        progress: Told of the search; confirming tells its own.
 
     Raises:
         InputError: not numbers, NaN, or a scan in another unit than mm.
@@ -119,7 +124,8 @@ def register_globally(model: CadModel, points: ArrayLike, *, confirm: Confirm[Fi
     """
     settings = settings or GlobalSettings()
     cloud = finite_points(points, "points")
-    return accepted(model, cloud, find_candidates(model, cloud, seed=seed, settings=settings), confirm, settings)
+    candidates = find_candidates(model, cloud, seed=seed, settings=settings, progress=progress)
+    return accepted(model, cloud, candidates, confirm, settings)
 
 
 def accepted(model: CadModel, cloud: Array, candidates: tuple[Candidate, ...], confirm: Confirm[FineT_co],
@@ -146,7 +152,7 @@ def accepted(model: CadModel, cloud: Array, candidates: tuple[Candidate, ...], c
 
 
 def find_candidates(model: CadModel, points: Array, *, seed: int = 0,
-                    settings: GlobalSettings | None = None) -> tuple[Candidate, ...]:
+                    settings: GlobalSettings | None = None, progress: Progress = silent) -> tuple[Candidate, ...]:
     """Distinct refined poses, best first, not yet judged; at least one.
 
     Args:
@@ -154,6 +160,7 @@ def find_candidates(model: CadModel, points: Array, *, seed: int = 0,
         points: (N, 3) mm in M.
         seed: Of the random thinning.
         settings: For what counts as on the surface and as the same pose.
+        progress: Told of each stage and each pose tried; what it raises ends the search.
 
     Raises:
         InputError: a scan in another unit than mm.
@@ -162,19 +169,28 @@ def find_candidates(model: CadModel, points: Array, *, seed: int = 0,
     settings = settings or GlobalSettings()
     rng = np.random.default_rng(seed)
     _check_size(model, points)
+    progress(0.0, "triangles of the CAD model")
     mesh = model.tessellate(0.1)
+    progress(0.08, "points of the CAD model")
     model_shape = mesh_shape(mesh.vertices, mesh.triangles, _SAMPLE_SPACING_MM, rng)
+    progress(0.12, "directions of the scan's surfaces")
     scan = scan_shape(points, rng)
     rows = rng.permutation(np.flatnonzero(scan.flat))
     if len(rows) < 100:
         raise FitError(f"Only {len(rows)} places of the scan are flat enough to tell a direction, at least 100 are "
                        "needed. Scan edge plate and shroud with more points.", Code.NOT_ENOUGH_POINTS)
-    poses = _searched(scan, rows, model_shape)
+    poses = _searched(scan, rows, model_shape, part(progress, _SEARCH_BEGINS, _ALIGN_BEGINS))
     order = np.argsort(-rough_scores(poses, scan, model_shape, rows[:_SMALL], 4.0))[:_KEPT_AFTER_SCORE]
-    aligned = np.array([refined(poses[k], scan, model_shape, rows[:_SMALL], _WIDE_GATES_MM) for k in order])
+    told, aligned_poses = part(progress, _ALIGN_BEGINS, _COMPARE_BEGINS), []
+    for number, k in enumerate(order):
+        told(number / len(order), f"pose {number + 1} of {len(order)} is aligned")
+        aligned_poses.append(refined(poses[k], scan, model_shape, rows[:_SMALL], _WIDE_GATES_MM))
+    aligned = np.array(aligned_poses)
     order = np.argsort(-rough_scores(aligned, scan, model_shape, rows[:_SMALL], 1.5))
     found: list[Candidate] = []
-    for k in _without_copies(model, aligned[order], settings)[:_KEPT_AFTER_ALIGN]:
+    told, kept = part(progress, _COMPARE_BEGINS, 1.0), _without_copies(model, aligned[order], settings)
+    for number, k in enumerate(kept[:_KEPT_AFTER_ALIGN]):
+        told(number / min(len(kept), _KEPT_AFTER_ALIGN), f"pose {number + 1} is compared with the scan")
         pose = refined(aligned[order][k], scan, model_shape, rows[:_LARGE], _NARROW_GATES_MM)
         explained = agreement(pose, scan, model_shape, rows[:_COMPARED], settings.surface_mm)
         found.append(Candidate(inverse(pose), explained))
@@ -183,7 +199,7 @@ def find_candidates(model: CadModel, points: Array, *, seed: int = 0,
     return tuple(found[k] for k in distinct)
 
 
-def _searched(scan: Shape, rows: NDArray[np.int64], model: Shape) -> Array:
+def _searched(scan: Shape, rows: NDArray[np.int64], model: Shape, progress: Progress) -> Array:
     """(K, 4, 4) work_from_measure, the best of all rotations and translations."""
     scan_directions, _ = flat_directions(scan, most=12, least_share=0.015)
     model_directions, _ = flat_directions(model, most=16, least_share=0.008)
@@ -197,7 +213,10 @@ def _searched(scan: Shape, rows: NDArray[np.int64], model: Shape) -> Array:
         raise FitError("No two flat areas of the scan meet at an angle that flat areas of the CAD model have. Check "
                        "the blade type.", Code.WRONG_MODEL)
     search = TranslationSearch(model)
-    found = [search.poses(rotation, scan.points[rows[:_LARGE]]) for rotation in rotations]
+    found = []
+    for number, rotation in enumerate(rotations):
+        progress(number / len(rotations), f"rotation {number + 1} of {len(rotations)}")
+        found.append(search.poses(rotation, scan.points[rows[:_LARGE]]))
     poses = np.concatenate([item[0] for item in found])
     heights = np.concatenate([item[1] for item in found])
     return np.asarray(poses[np.argsort(-heights)[:_KEPT_AFTER_SEARCH]])
