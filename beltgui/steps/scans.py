@@ -50,7 +50,12 @@ def missing_slots(session: Session, step: str, count: int, kind: str = KIND) -> 
 
 
 def acquire_scans(
-    context: Context, step: str, poses: Sequence[ScanPose], kind: str = KIND, note: Mapping[str, Any] | None = None
+    context: Context,
+    step: str,
+    poses: Sequence[ScanPose],
+    kind: str = KIND,
+    note: Mapping[str, Any] | None = None,
+    slots: Sequence[int] | None = None,
 ) -> list[ScanSample]:
     """Visit the poses that have no scan yet and scan at each; the robot moves only if it is not there already.
 
@@ -60,6 +65,7 @@ def acquire_scans(
         poses: Where to scan; a pose's place in the list is its sample's `slot`.
         kind: Which kind of sample.
         note: What else to keep with each sample.
+        slots: Which poses to scan; None takes those that have no scan yet.
 
     Returns:
         The scans taken now.
@@ -68,7 +74,8 @@ def acquire_scans(
         DeviceError: a device failed or refused; what was taken before stays in the session.
         Cancelled: the job was cancelled.
     """
-    slots = missing_slots(context.session, step, len(poses), kind)
+    if slots is None:
+        slots = missing_slots(context.session, step, len(poses), kind)
     if slots and not context.cell.stage.homed:
         context.cell.stage.home()
     samples: list[ScanSample] = []
@@ -111,7 +118,16 @@ def read_scans(session: Session, step: str, kind: str = KIND) -> list[ScanSample
     Raises:
         InputError: there are none, or a cloud is gone or damaged.
     """
-    return [_scan_sample(sample, session.points(sample)) for sample in session.kept(step, kind)]
+    return [scan_of(session, sample) for sample in session.kept(step, kind)]
+
+
+def scan_of(session: Session, sample: Sample) -> ScanSample:
+    """A scan as it was kept.
+
+    Raises:
+        InputError: its cloud is gone or damaged.
+    """
+    return _scan_sample(sample, session.points(sample))
 
 
 def _scan_sample(sample: Sample, points_in_scanner: Array) -> ScanSample:
