@@ -1,0 +1,1 @@
+"""Building blocks of what the rooms show; engine side, no Qt."""
