@@ -75,17 +75,32 @@ def acquire_scans(
         Cancelled: the job was cancelled.
     """
     if slots is None:
-        slots = missing_slots(context.session, step, len(poses), kind)
-    if slots and not context.cell.stage.homed:
-        context.cell.stage.home()
-    samples: list[ScanSample] = []
-    for slot in slots:
+        samples: list[ScanSample] = []
+    for slot in missing_slots(context.session, step, len(poses), kind):
         pose = poses[slot]
         context.job.report(slot / len(poses), f"scan {slot + 1} of {len(poses)}: {pose.name}")
-        if not _stands_at(context.cell.robot.read().base_from_flange, pose.base_from_flange):
-            context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
-        samples.append(_take(context, step, pose, kind, {**(note or {}), "slot": slot}))
+        samples.append(take_scan(context, step, pose, kind, {**(note or {}), "slot": slot}))
     return samples
+
+
+def take_scan(context: Context, step: str, pose: ScanPose, kind: str, note: Mapping[str, Any]) -> ScanSample:
+    """Go to a pose and scan there; the robot moves only if it is not there already.
+
+    Args:
+        context: Cell and session.
+        step: Which step the sample is kept for.
+        pose: Where to scan.
+        kind: Which kind of sample.
+        note: What else to keep with the sample, its `slot` among it.
+
+    Raises:
+        DeviceError: a device failed or refused.
+    """
+    if not context.cell.stage.homed:
+        context.cell.stage.home()
+    if not _stands_at(context.cell.robot.read().base_from_flange, pose.base_from_flange):
+        context.move(pose.base_from_flange, f"to the scanning pose '{pose.name}'")
+    return _take(context, step, pose, kind, note)
 
 
 def _stands_at(base_from_flange: Array, target: Array) -> bool:
