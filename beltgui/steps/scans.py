@@ -75,8 +75,9 @@ def acquire_scans(
         Cancelled: the job was cancelled.
     """
     if slots is None:
-        samples: list[ScanSample] = []
-    for slot in missing_slots(context.session, step, len(poses), kind):
+        slots = missing_slots(context.session, step, len(poses), kind)
+    samples: list[ScanSample] = []
+    for slot in slots:
         pose = poses[slot]
         context.job.report(slot / len(poses), f"scan {slot + 1} of {len(poses)}: {pose.name}")
         samples.append(take_scan(context, step, pose, kind, {**(note or {}), "slot": slot}))
