@@ -1,5 +1,6 @@
 """A session: one folder that holds every sample, setting, result and decision of a commissioning."""
 
-from beltgui.session.store import INPUTS, Sample, Session, StoredResult
+from beltgui.session.rows import Basis, Decision, Edit, Sample, Snapshot, StepSnapshot, StoredResult
+from beltgui.session.store import INPUTS, Session
 
-__all__ = ["INPUTS", "Sample", "Session", "StoredResult"]
+__all__ = ["INPUTS", "Basis", "Decision", "Edit", "Sample", "Session", "Snapshot", "StepSnapshot", "StoredResult"]

@@ -1,128 +1,113 @@
 """The session's folder: an SQLite database and, beside it, the clouds as NumPy files.
 
-A sample is on disk when `add_sample` comes back; SQLite's transaction makes it whole or absent, whatever happens to
-the process in between.
+A sample is on disk when `add_sample` comes back; whatever happens to the process or to the power, it is whole or
+absent. Several threads may use one session; one process at a time writes it, others may read it meanwhile. SQLAlchemy
+is imported when a session is opened: this module is light.
 """
 
 from __future__ import annotations
 
 import json
-import os
-import sqlite3
 from collections.abc import Iterator, Mapping
-from contextlib import closing
-from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from beltgui.session import clouds
+from beltgui.session.lock import WriterLock
+from beltgui.session.rows import Basis, Decision, Edit, Sample, Snapshot, StepSnapshot, StoredResult
 from core.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from beltgui.session.database import Database
 
 DATABASE = "session.db"
 INPUTS = "inputs"
-FORMAT = 1
-
-SCHEMA = """
-CREATE TABLE info (key TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE sample (
-    id INTEGER PRIMARY KEY, step TEXT NOT NULL, kind TEXT NOT NULL, created TEXT NOT NULL,
-    data TEXT NOT NULL, cloud TEXT
-);
-CREATE TABLE result (
-    id INTEGER PRIMARY KEY, step TEXT NOT NULL, created TEXT NOT NULL, accepted INTEGER NOT NULL,
-    record TEXT NOT NULL
-);
-CREATE INDEX sample_of_step ON sample (step, kind, id);
-CREATE INDEX result_of_step ON result (step, id);
-"""
-
-
-@dataclass(frozen=True)
-class Sample:
-    """One observation as it was taken.
-
-    Attributes:
-        id: Number in the session, in order of time.
-        step: `ball`, `base`, `rough`, `fine`, `tool` or `error_surface`.
-        kind: What it is within the step, e.g. `scan`, `cone_touch`.
-        data: Plain numbers and text; mm, and rad or deg as the names say.
-        cloud: File name of the points, relative to the session's folder, if there are any.
-    """
-
-    id: int
-    step: str
-    kind: str
-    data: dict[str, Any]
-    cloud: str | None
-
-
-@dataclass(frozen=True)
-class StoredResult:
-    """A result as it was kept."""
-
-    step: str
-    created: str
-    accepted: bool
-    record: dict[str, Any]
+FORMAT = 2
 
 
 class Session:
-    """An open session; use `create` or `open`, and close it."""
+    """An open session; use `create` or `open`, and close it.
 
-    def __init__(self, folder: Path, connection: sqlite3.Connection) -> None:
+    Attributes:
+        folder: Where it is.
+        writable: False if it was opened to look at.
+    """
+
+    def __init__(self, folder: Path, database: Database, lock: WriterLock | None) -> None:
+        from beltgui.session import edits, results, samples
+
         self.folder = folder
-        self._connection = connection
+        self.writable = lock is not None
+        self._database = database
+        self._lock = lock
+        self._samples, self._edits, self._results = samples, edits, results
+        self._stored = results.ResultTable()
 
     @classmethod
     def create(cls, folder: Path, info: Mapping[str, Any]) -> Session:
         """Begin a session in a folder that holds none yet.
 
         Raises:
-            InputError: there is a session already; it is never overwritten.
+            InputError: there is a session already (it is never overwritten), or the folder cannot be written.
         """
-        database = folder / DATABASE
-        if database.exists():
+        from beltgui.session import schema
+        from beltgui.session.database import Database
+
+        try:
+            (folder / clouds.CLOUDS).mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise InputError(
+                f"{folder}: no session can be begun here ({error.strerror}). Choose another folder."
+            ) from error
+        if (folder / DATABASE).exists():
             raise InputError(f"{folder}: there is a session already. Choose another folder or open that one.")
-        (folder / "clouds").mkdir(parents=True, exist_ok=True)
-        connection = sqlite3.connect(database, isolation_level=None, check_same_thread=False)
-        connection.execute("PRAGMA journal_mode=WAL")
-        connection.execute("PRAGMA synchronous=FULL")
-        rows = {"format": FORMAT, "created": _now(), **info}
-        with connection:
-            connection.executescript("BEGIN;" + SCHEMA + "COMMIT;")
-            connection.executemany(
-                "INSERT INTO info VALUES (?, ?)", [(key, json.dumps(value)) for key, value in rows.items()]
-            )
-        return cls(folder, connection)
+        lock = WriterLock(folder)
+        try:
+            if (folder / DATABASE).exists():  # another process was faster
+                raise InputError(f"{folder}: there is a session already. Choose another folder or open that one.")
+            clouds.tidy(folder, 1)
+            database = Database.create(folder / DATABASE, {"format": FORMAT, "created": schema.now(), **info})
+            clouds.sync_folder(folder.resolve().parent)
+        except BaseException:
+            lock.release()
+            raise
+        return cls(folder, database, lock)
 
     @classmethod
-    def open(cls, folder: Path) -> Session:
-        """Open a session read-only, for instance to replay it.
+    def open(cls, folder: Path, *, write: bool = False) -> Session:
+        """Open a session: to look at (also while another process writes it, also in a read-only folder) or to go on.
 
         Raises:
-            InputError: no session, or one of a format that this version does not read.
+            InputError: no session, one of a format that this version does not read, or, to go on with it, somebody else
+                is writing it.
         """
-        database = folder / DATABASE
-        if not database.is_file():
+        from beltgui.session.database import Database
+
+        path = folder / DATABASE
+        if not path.is_file():
             raise InputError(f"{folder}: no session here, {DATABASE} is missing. Give the folder of a session.")
-        connection = sqlite3.connect(f"{database.resolve().as_uri()}?mode=ro", uri=True, check_same_thread=False)
-        session = cls(folder, connection)
+        _check_format(path)
+        lock = WriterLock(folder) if write else None
         try:
-            found = session.info().get("format")
-        except (sqlite3.DatabaseError, json.JSONDecodeError) as error:
-            connection.close()
-            raise InputError(f"{database}: this is not a session's database ({error}).") from error
-        if found != FORMAT:
-            connection.close()
-            raise InputError(f"{database}: format {found}, expected {FORMAT}. Use the version that wrote it.")
+            session = cls(folder, Database.open(path, write=write), lock)
+            if write:
+                with session._database.reading() as connection:
+                    clouds.tidy(folder, session._samples.next_number(connection))
+        except BaseException:
+            if lock is not None:
+                lock.release()
+            raise
         return session
 
     def close(self) -> None:
-        """Close the database; everything is on disk already."""
-        self._connection.close()
+        """Close it and let others write; everything is on disk already. Closing twice does nothing."""
+        self._database.close()
+        if self._lock is not None:
+            self._lock.release()
+            self._lock = None
 
     def __enter__(self) -> Session:
         return self
@@ -132,53 +117,58 @@ class Session:
 
     def info(self) -> dict[str, Any]:
         """What was said of the session when it began: software, cell, blade type, serial."""
-        rows = self._connection.execute("SELECT key, value FROM info").fetchall()
-        return {key: json.loads(value) for key, value in rows}
+        with self._database.reading() as connection:
+            return _info(connection)
+
+    # ---- samples
 
     def add_sample(
         self, step: str, kind: str, data: Mapping[str, Any], points_mm: NDArray[np.float32] | None = None
     ) -> Sample:
-        """Keep one observation; it is on disk when this comes back."""
-        text = json.dumps(data, allow_nan=False)
-        with closing(self._connection.cursor()) as cursor:
-            cursor.execute("BEGIN IMMEDIATE")
-            try:
-                cursor.execute(
-                    "INSERT INTO sample (step, kind, created, data) VALUES (?, ?, ?, ?)", (step, kind, _now(), text)
-                )
-                number = int(cursor.lastrowid or 0)
-                cloud = None
-                if points_mm is not None:
-                    cloud = f"clouds/{number:05d}_{step}.npy"
-                    _save_whole(self.folder / cloud, points_mm)
-                    cursor.execute("UPDATE sample SET cloud = ? WHERE id = ?", (cloud, number))
-            except BaseException:
-                cursor.execute("ROLLBACK")
-                raise
-            cursor.execute("COMMIT")
-        return Sample(number, step, kind, json.loads(text), cloud)
+        """Keep one observation; it is on disk when this comes back.
 
-    def samples(self, step: str, kind: str | None = None) -> list[Sample]:
-        """All samples of a step (of one kind) in order of time."""
-        rows = self._connection.execute(
-            "SELECT id, step, kind, data, cloud FROM sample WHERE step = ? AND (? IS NULL OR kind = ?) ORDER BY id",
-            (step, kind, kind),
-        ).fetchall()
-        return [Sample(number, of, sort, json.loads(data), cloud) for number, of, sort, data, cloud in rows]
+        Raises:
+            ValueError: `data` holds NaN or infinity.
+            InputError: the disk is full, or the session is read-only.
+        """
+        text = json.dumps(dict(data), allow_nan=False)
+        # The long part, before the transaction: others can read and write meanwhile.
+        unfinished = None if points_mm is None else clouds.write_unfinished(self.folder, points_mm)
+        try:
+            with self._database.changing() as connection:
+                self._edits.drop_undone(connection, step)
+                number = self._samples.insert(connection, step, kind, text)
+                if unfinished is not None:
+                    cloud = clouds.finish(self.folder, unfinished, number, step)
+                    self._samples.set_cloud(connection, number, cloud)
+                kept = self._samples.one(connection, number)
+        finally:
+            if unfinished is not None:
+                unfinished.unlink(missing_ok=True)
+        assert kept is not None
+        return kept
+
+    def samples(self, step: str, kind: str | None = None, *, deleted: bool = False) -> list[Sample]:
+        """Samples of a step (of one kind) in order of time; with `deleted` also those that a person deleted."""
+        with self._database.reading() as connection:
+            return self._samples.of_step(connection, step, kind, deleted=deleted)
 
     def kept(self, step: str, kind: str) -> list[Sample]:
-        """The same, for a step that cannot do without them.
+        """The included ones, for a step that cannot do without them.
 
         Raises:
             InputError: there are none.
         """
-        samples = self.samples(step, kind)
-        if not samples:
-            raise InputError(
-                f"{self.folder}: the session has no sample '{kind}' of the step '{step}'; it is not whole. Take the "
-                "session from where it was copied, or run the step again."
-            )
-        return samples
+        there = self.samples(step, kind)
+        included = [sample for sample in there if sample.included]
+        if included:
+            return included
+        if there:
+            raise InputError(f"All samples '{kind}' of the step '{step}' are left out. Tick at least some of them.")
+        raise InputError(
+            f"{self.folder}: the session has no sample '{kind}' of the step '{step}'; it is not whole. Take the "
+            "session from where it was copied, or run the step again."
+        )
 
     def points(self, sample: Sample) -> NDArray[np.float64]:
         """The points (N, 3) in mm of a sample that has a cloud, float64, only finite ones.
@@ -186,41 +176,213 @@ class Session:
         Raises:
             InputError: the file is gone or damaged.
         """
-        path = self.folder / str(sample.cloud)
-        try:
-            stored = np.load(path, allow_pickle=False)
-        except (OSError, ValueError, EOFError) as error:
-            raise InputError(f"{path}: the cloud of sample {sample.id} cannot be read ({error}).") from error
-        flat = stored.reshape(-1, 3)
-        return np.asarray(flat[np.isfinite(flat).all(axis=1)], dtype=np.float64)
+        return clouds.read(self.folder / str(sample.cloud), sample.id)
 
-    def put_result(self, step: str, record: Mapping[str, Any], *, accepted: bool) -> None:
-        """Keep a result; earlier ones stay."""
-        self._connection.execute(
-            "INSERT INTO result (step, created, accepted, record) VALUES (?, ?, ?, ?)",
-            (step, _now(), int(accepted), json.dumps(record, allow_nan=False)),
-        )
+    def setting(self, step: str, key: str, default: Any = None) -> Any:
+        """A setting of a step as it was chosen, or `default`."""
+        with self._database.reading() as connection:
+            return self._samples.settings(connection, step).get(key, default)
+
+    def basis(self, step: str) -> Basis:
+        """The included samples and the settings: take it before solving and hand it to `put_result`."""
+        with self._database.reading() as connection:
+            return self._samples.basis(connection, step)
+
+    # ---- edits: each is on disk when it comes back, and undo takes it back
+
+    def include(self, sample_id: int, on: bool, person: str) -> None:
+        """Tick or untick a sample.
+
+        Raises:
+            InputError: there is no such sample, or it was deleted.
+        """
+        with self._database.changing() as connection:
+            self._edits.include(connection, sample_id, on, person)
+
+    def delete(self, sample_id: int, person: str) -> None:
+        """Delete one sample.
+
+        Raises:
+            InputError: there is no such sample.
+        """
+        with self._database.changing() as connection:
+            self._edits.delete(connection, sample_id, person)
+
+    def start_over(self, step: str, person: str) -> None:
+        """Delete all samples of a step."""
+        with self._database.changing() as connection:
+            self._edits.start_over(connection, step, person)
+
+    def choose(self, step: str, key: str, value: Any, person: str) -> None:
+        """Set a setting of a step (strict JSON)."""
+        with self._database.changing() as connection:
+            self._edits.choose(connection, step, key, value, person)
+
+    def undo(self, step: str, person: str) -> str | None:
+        """Take back the last edit of a step; says what it was, None if there is none."""
+        with self._database.changing() as connection:
+            what = self._edits.undo(connection, step)
+            if what is not None:
+                self._results.decide(connection, step, person, f"undone: {what}", None)
+            return what
+
+    def redo(self, step: str, person: str) -> str | None:
+        """Do again what was taken back last; says what it was, None if there is nothing."""
+        with self._database.changing() as connection:
+            what = self._edits.redo(connection, step)
+            if what is not None:
+                self._results.decide(connection, step, person, f"done again: {what}", None)
+            return what
+
+    def can_undo(self, step: str) -> bool:
+        """There is an edit to take back."""
+        with self._database.reading() as connection:
+            return self._edits.to_undo(connection, step) is not None
+
+    def can_redo(self, step: str) -> bool:
+        """There is something to do again."""
+        with self._database.reading() as connection:
+            return self._edits.to_redo(connection, step) is not None
+
+    def edits(self, step: str | None = None) -> list[Edit]:
+        """The log of all edits (of a step), also of those taken back."""
+        with self._database.reading() as connection:
+            return self._edits.log(connection, step)
+
+    # ---- results and decisions
+
+    def put_result(
+        self,
+        step: str,
+        record: Mapping[str, Any],
+        *,
+        ok: bool | None = None,
+        headline: str = "",
+        stands_on: Mapping[str, int] | None = None,
+        basis: Basis | None = None,
+        person: str = "",
+        accepted: bool | None = None,
+    ) -> StoredResult:
+        """Keep a result; earlier ones stay.
+
+        Args:
+            step: Of the six.
+            record: Strict JSON.
+            ok: Its verdict.
+            headline: The number that matters, with its unit.
+            stands_on: Number of the result of each earlier step that it used.
+            basis: What it was solved from; None takes the samples and settings as they are now.
+            person: Who works.
+            accepted: Stands for `ok`, and accepts the result at once.
+
+        Raises:
+            ValueError: the record holds NaN or infinity.
+        """
+        text = json.dumps(dict(record), allow_nan=False)
+        with self._database.changing() as connection:
+            number = self._results.insert(
+                connection,
+                step,
+                text,
+                basis or self._samples.basis(connection, step),
+                ok=bool(ok or accepted),
+                headline=headline,
+                stands_on=stands_on or {},
+                person=person,
+            )
+            if accepted:
+                self._results.decide(connection, step, person, self._results.ACCEPTED, number)
+        stored = self.stored(number)
+        assert stored is not None
+        return stored
 
     def result(self, step: str) -> StoredResult | None:
-        """The latest result of a step, or None."""
-        row = self._connection.execute(
-            "SELECT step, created, accepted, record FROM result WHERE step = ? ORDER BY id DESC LIMIT 1", (step,)
-        ).fetchone()
-        return None if row is None else StoredResult(row[0], row[1], bool(row[2]), json.loads(row[3]))
+        """The latest result of a step, accepted or not."""
+        with self._database.reading() as connection:
+            return self._stored.latest(connection, step)
+
+    def stored(self, result_id: int) -> StoredResult | None:
+        """A result by its number."""
+        with self._database.reading() as connection:
+            return self._stored.by_number(connection, result_id)
+
+    def accept(self, step: str, person: str) -> StoredResult:
+        """Accept the latest result of a step.
+
+        Raises:
+            InputError: there is none, its verdict is not ok, or its samples or settings have changed since.
+        """
+        with self._database.changing() as connection:
+            latest = self._stored.latest(connection, step)
+            result = self._results.check_acceptable(connection, step, latest)
+            if self._stored.accepted(connection, step) != result:
+                self._results.decide(connection, step, person, self._results.ACCEPTED, result.id)
+            return result
+
+    def accepted_result(self, step: str) -> StoredResult | None:
+        """The result of a step that was accepted last; whether it is still valid, `beltgui.steps.graph` tells."""
+        with self._database.reading() as connection:
+            return self._stored.accepted(connection, step)
+
+    def decide(self, step: str, person: str, what: str) -> None:
+        """Write down another decision, for instance an export."""
+        with self._database.changing() as connection:
+            self._results.decide(connection, step, person, what, None)
+
+    def decisions(self) -> list[Decision]:
+        """All decisions in order of time."""
+        with self._database.reading() as connection:
+            return self._results.decisions(connection)
 
     def steps_with_results(self) -> Iterator[str]:
         """Names of the steps that have a result, in order of their latest one."""
-        rows = self._connection.execute("SELECT step, MAX(id) FROM result GROUP BY step ORDER BY 2").fetchall()
-        return (row[0] for row in rows)
+        with self._database.reading() as connection:
+            return iter(self._results.steps(connection))
+
+    def snapshot(self) -> Snapshot:
+        """All steps at one moment, with the results that their results stand on."""
+        steps: dict[str, StepSnapshot] = {}
+        results: dict[int, StoredResult] = {}
+        with self._database.reading() as connection:
+            for step in sorted(self._samples.steps(connection) | set(self._results.steps(connection))):
+                latest = self._stored.latest(connection, step)
+                accepted = self._stored.accepted(connection, step)
+                basis = self._samples.basis(connection, step)
+                steps[step] = StepSnapshot(basis, self._samples.count(connection, step), latest, accepted)
+            for shown in steps.values():
+                for result in (shown.latest, shown.accepted):
+                    for number in result.stands_on.values() if result else ():
+                        found = self._stored.by_number(connection, number)
+                        if found is not None:
+                            results[number] = found
+        return Snapshot(steps, results)
 
 
-def _save_whole(path: Path, points_mm: NDArray[np.float32]) -> None:
-    """On the disk, not only in its cache, before the sample becomes visible."""
-    with path.open("wb") as file:
-        np.save(file, points_mm)
-        file.flush()
-        os.fsync(file.fileno())
+def _info(connection: Any) -> dict[str, Any]:
+    from sqlalchemy import select
+
+    from beltgui.session import schema
+
+    return {row.key: json.loads(row.value) for row in connection.execute(select(schema.info))}
 
 
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="milliseconds")
+def _check_format(path: Path) -> None:
+    """Refuse what this version does not read, before anything is changed.
+
+    Raises:
+        InputError: another format, or no session's database.
+    """
+    from beltgui.session.database import Database
+
+    database = Database.open(path, write=False)
+    try:
+        with database.reading() as connection:
+            info = _info(connection)
+    except json.JSONDecodeError as error:
+        raise InputError(f"{path}: this is not a session's database ({error}).") from error
+    finally:
+        database.close()
+    found = info.get("format")
+    if found != FORMAT:
+        wrote = f"beltcal {info['software']}" if "software" in info else "the version that wrote it"
+        raise InputError(f"{path}: format {found}, expected {FORMAT}. Use {wrote} to open it.")

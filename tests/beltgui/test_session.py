@@ -30,8 +30,8 @@ def test_what_was_kept_comes_back(tmp_path: Path) -> None:
     with Session.create(tmp_path / "s", {"software": "1.2", "seed": 7}) as session:
         session.add_sample("ball", "scan", {"stage_mm": [0.0, 1.0, 2.0]}, points)
         session.add_sample("tool", "cone_touch", {"index": 0})
-        session.put_result("ball", {"rms_mm": 0.5}, accepted=False)
-        session.put_result("ball", {"rms_mm": 0.01}, accepted=True)
+        session.put_result("ball", {"rms_mm": 0.5}, ok=False)
+        session.put_result("ball", {"rms_mm": 0.01}, ok=True)
     with Session.open(tmp_path / "s") as session:
         assert session.info()["seed"] == 7
         (sample,) = session.samples("ball", "scan")
@@ -40,7 +40,7 @@ def test_what_was_kept_comes_back(tmp_path: Path) -> None:
         assert [s.kind for s in session.samples("tool")] == ["cone_touch"]
         result = session.result("ball")
         assert result is not None
-        assert (result.accepted, result.record) == (True, {"rms_mm": 0.01})
+        assert (result.ok, result.record) == (True, {"rms_mm": 0.01})
         assert session.result("base") is None
         assert list(session.steps_with_results()) == ["ball"]
 
