@@ -1,0 +1,170 @@
+"""A result's numbers: value, unit, ± (k = 2), and a bar against the limit where there is one."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from beltgui.app.language import sentence
+from beltgui.app.theme import colour, px, theme
+from beltgui.viewmodel.scene import Role
+from beltgui.viewmodel.step import Number
+from beltgui.widgets.figures import with_unit
+
+# Where on the bar the limit is drawn, so that going beyond it is seen.
+LIMIT_AT = 0.75
+
+
+class LimitBar(QWidget):
+    """How much of the allowed range a value takes: a bar, with a line at the limit."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._share: float | None = None
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        theme().changed.connect(self._resized)
+
+    @property
+    def share(self) -> float | None:
+        """Value over limit; None if not known."""
+        return self._share
+
+    def show_share(self, value: float | None, limit: float) -> None:
+        """Show |value| against a limit above zero."""
+        known = value is not None and math.isfinite(value) and limit > 0.0
+        self._share = abs(value) / limit if known and value is not None else None
+        self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802
+        """As high as half a line."""
+        return QSize(px(80), px(10))
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
+        """Track, bar, limit."""
+        painter = QPainter(self)
+        line = QColor(colour("line"))
+        area = QRectF(self.rect()).adjusted(0.5, 2.5, -0.5, -2.5)
+        painter.setPen(QPen(line, 1.0))
+        painter.setBrush(QColor(colour("background")))
+        painter.drawRect(area)
+        if self._share is not None:
+            length = min(self._share * LIMIT_AT, 1.0) * area.width()
+            painter.fillRect(
+                QRectF(area.left(), area.top(), length, area.height()),
+                QColor(colour(Role.ATTENTION if self._share > 1.0 else "muted")),
+            )
+        at = area.left() + LIMIT_AT * area.width()
+        painter.setPen(QPen(QColor(colour("text")), 2.0))
+        painter.drawLine(round(at), 0, round(at), self.height())
+
+    def _resized(self) -> None:
+        self.updateGeometry()
+        self.update()
+
+
+class NumberRow(QWidget):
+    """One number."""
+
+    def __init__(self, main: bool, limited: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.label = QLabel(self)
+        self.label.setWordWrap(True)
+        self.label.setProperty("tone", "muted")
+        self.value = QLabel(self)
+        self.value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        self.value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        if main:
+            self.value.setProperty("title", "2")
+        self.spread = QLabel(self)
+        self.spread.setProperty("tone", "muted")
+        self.spread.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.limit = QLabel(self)
+        self.limit.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.bar = LimitBar(self)
+        self.bar.setVisible(limited)
+        self.limit.setVisible(limited)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 2)
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(0)
+        grid.setColumnStretch(0, 1)
+        grid.addWidget(self.label, 0, 0)
+        grid.addWidget(self.value, 0, 1)
+        grid.addWidget(self.spread, 1, 0, 1, 2)
+        grid.addWidget(self.bar, 2, 0)
+        grid.addWidget(self.limit, 2, 1)
+
+    def show_number(self, item: Number) -> None:
+        """Show a number of the same kind (main, limited) as the row was made for."""
+        self.label.setText(sentence(item.label))
+        self.value.setText(with_unit(item.value, item.unit, item.decimals))
+        self.spread.setVisible(item.plus_minus is not None)
+        if item.plus_minus is not None:
+            self.spread.setText(
+                self.tr("± {spread} (k = 2)").format(spread=with_unit(item.plus_minus, item.unit, item.decimals))
+            )
+        if item.limit is not None:
+            self.bar.show_share(item.value, item.limit)
+            over = self.bar.share is not None and self.bar.share > 1.0
+            words = self.tr("▲ limit {limit}") if over else self.tr("limit {limit}")
+            self.limit.setText(words.format(limit=with_unit(item.limit, item.unit, item.decimals)))
+            self._tone(self.limit, "bad" if over else "muted")
+        self.setAccessibleName(self.text())
+
+    def text(self) -> str:
+        """All it says, for a screen reader."""
+        parts = [self.label, self.value, self.spread, self.limit]
+        return " ".join(part.text() for part in parts if not part.isHidden())
+
+    @staticmethod
+    def _tone(label: QLabel, tone: str) -> None:
+        if label.property("tone") != tone:
+            label.setProperty("tone", tone)
+            label.style().polish(label)
+
+
+class NumbersPanel(QWidget):
+    """All numbers of a result, the main ones first."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("numbers")
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self._numbers: tuple[Number, ...] = ()
+        self._kinds: list[tuple[bool, bool]] = []
+        self.rows: list[NumberRow] = []
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(4)
+        self.setVisible(False)
+        self.retranslate()
+
+    def show_numbers(self, numbers: tuple[Number, ...]) -> None:
+        """Show these; rows are used again where their kind is the same."""
+        self._numbers = numbers
+        ordered = sorted(numbers, key=lambda item: not item.main)
+        kinds = [(item.main, item.limit is not None) for item in ordered]
+        if kinds != self._kinds:
+            for row in self.rows:
+                self._layout.removeWidget(row)
+                row.hide()
+                row.deleteLater()
+            self.rows = [NumberRow(main, limited, self) for main, limited in kinds]
+            for row in self.rows:
+                self._layout.addWidget(row)
+            self._kinds = kinds
+        for row, item in zip(self.rows, ordered, strict=True):
+            row.show_number(item)
+        self.setVisible(bool(numbers))
+
+    def retranslate(self) -> None:
+        """Write again in the present language."""
+        self.setAccessibleName(self.tr("Numbers of the result"))
+        self.show_numbers(self._numbers)
+
+    def text(self) -> str:
+        """All numbers as text."""
+        return "\n".join(row.text() for row in self.rows)

@@ -1,0 +1,113 @@
+"""Series of a plot as pyqtgraph items that are made once and then updated in place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor
+
+from beltgui.app.theme import colour
+from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Series
+from beltgui.viewmodel.scene import Role, Scale
+
+# A role is told by shape too, not by colour alone: (pyqtgraph's symbol, sign in the legend).
+SYMBOLS = {
+    Role.OUTLIER: ("x", "✕"),
+    Role.ATTENTION: ("x", "✕"),
+    Role.HELD_OUT: ("d", "◆"),
+    Role.EXCLUDED: ("+", "＋"),
+    Role.SUGGESTION: ("star", "★"),
+    Role.CHOSEN: ("s", "■"),
+    Role.FIT: ("s", "■"),
+    Role.PATH_COMPENSATED: ("t1", "▲"),
+}
+USUAL = ("o", "●")
+# Above this many marks they are drawn small and without outlines.
+MANY = 500
+MARK_PX = 9
+SMALL_PX = 4
+
+
+def sign(series: Series) -> str:
+    """How a series looks in one character, for the legend."""
+    if isinstance(series, Marks):
+        return SYMBOLS.get(series.role, USUAL)[1]
+    if isinstance(series, Curve):
+        return "┅" if series.dashed else "━"
+    return "▆"
+
+
+def make_item(series: Series) -> Any:
+    """An empty item for such a series."""
+    if isinstance(series, Marks):
+        return pg.ScatterPlotItem(pxMode=True, hoverable=False)
+    if isinstance(series, Curve):
+        return pg.PlotCurveItem(connect="finite")
+    if isinstance(series, Bars):
+        return pg.BarGraphItem(x=[0.0], height=[0.0], width=0.8)
+    if isinstance(series, Band):
+        lower, upper = pg.PlotCurveItem(), pg.PlotCurveItem()
+        return pg.FillBetweenItem(lower, upper)
+    return pg.ImageItem(axisOrder="row-major")
+
+
+def fill_item(item: Any, series: Series) -> None:
+    """Show a series in the item made for its kind, in the theme's present colours."""
+    if isinstance(series, Marks):
+        _fill_marks(item, series)
+    elif isinstance(series, Curve):
+        style = Qt.PenStyle.DashLine if series.dashed else Qt.PenStyle.SolidLine
+        item.setData(_floats(series.x), _floats(series.y), pen=pg.mkPen(colour(series.role), width=2, style=style))
+    elif isinstance(series, Bars):
+        item.setOpts(x=_floats(series.x), height=np.nan_to_num(_floats(series.height)), width=series.width,
+                     brush=_pale(series.role, 170), pen=pg.mkPen(colour(series.role)))  # fmt: skip
+    elif isinstance(series, Band):
+        good = np.isfinite(series.low) & np.isfinite(series.high) & np.isfinite(series.x)
+        item.curves[0].setData(_floats(series.x)[good], _floats(series.low)[good])
+        item.curves[1].setData(_floats(series.x)[good], _floats(series.high)[good])
+        item.setBrush(_pale(series.role, 60))
+    else:
+        _fill_map(item, series)
+
+
+def _fill_marks(item: Any, series: Marks) -> None:
+    x, y = _floats(series.x), _floats(series.y)
+    good = np.isfinite(x) & np.isfinite(y)
+    ids = np.asarray(series.sample_ids, int) if len(series.sample_ids) == len(x) else np.full(len(x), -1)
+    many = len(x) > MANY
+    symbol = SYMBOLS.get(series.role, USUAL)[0]
+    ink = QColor(colour(series.role))
+    thin = symbol in ("x", "+")
+    pen = pg.mkPen(ink, width=2) if thin and not many else None
+    item.setData(x=x[good], y=y[good], data=ids[good], symbol=symbol, size=SMALL_PX if many else MARK_PX,
+                 pen=pen, brush=pg.mkBrush(ink))  # fmt: skip
+
+
+def _fill_map(item: Any, series: Map) -> None:
+    values = np.asarray(series.values, np.float32)
+    item.setImage(values, autoLevels=False, levels=(series.scale.low, series.scale.high))
+    item.setColorMap(colour_map(series.scale))
+    (left, right), (bottom, top) = series.x_range, series.y_range
+    item.setRect(QRectF(left, bottom, right - left, top - bottom))
+
+
+def colour_map(scale: Scale) -> pg.ColorMap:
+    """Blue over grey to red about 0, or dark to bright: told apart by those who see no red or green too."""
+    if scale.kind == "diverging":
+        inks = [(33, 80, 170), (120, 165, 215), (222, 222, 222), (226, 150, 115), (165, 30, 40)]
+    else:
+        inks = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]
+    return pg.ColorMap(np.linspace(0.0, 1.0, len(inks)), inks)
+
+
+def _pale(role: Role, alpha: int) -> QColor:
+    ink = QColor(colour(role))
+    ink.setAlpha(alpha)
+    return ink
+
+
+def _floats(values: Any) -> np.ndarray:
+    return np.asarray(values, float).ravel()

@@ -1,0 +1,106 @@
+"""The plots of a step, one tab each; only the one that is seen is drawn."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QTabWidget, QToolButton, QVBoxLayout, QWidget
+
+from beltgui.app.language import sentence
+from beltgui.viewmodel.plot import Plot
+from beltgui.widgets.plot_canvas import PlotCanvas
+
+
+class PlotsArea(QWidget):
+    """Tabs of plots; a plot of the same key replaces the one before and keeps its zoom.
+
+    Signals:
+        chosen: Sample id of the mark that was clicked.
+    """
+
+    chosen = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("plots")
+        self._plots: dict[str, Plot] = {}
+        self._canvases: dict[str, PlotCanvas] = {}
+        self._waiting: set[str] = set()
+        self._chosen = -1
+        self.tabs = QTabWidget(self)
+        self.tabs.setObjectName("plot_tabs")
+        self.tabs.setDocumentMode(True)
+        self.tabs.setUsesScrollButtons(True)
+        self.tabs.currentChanged.connect(self._show_current)
+        self.whole_button = QToolButton(self)
+        self.whole_button.setObjectName("plot_whole")
+        self.whole_button.setProperty("quiet", "true")
+        self.whole_button.clicked.connect(self._whole)
+        self.tabs.setCornerWidget(self.whole_button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.tabs)
+        self.retranslate()
+
+    def show_plots(self, plots: tuple[Plot, ...]) -> None:
+        """Show these; what is not among them goes."""
+        keys = [plot.key for plot in plots]
+        if keys != list(self._plots):
+            self._arrange(keys)
+        self._plots = {plot.key: plot for plot in plots}
+        self._waiting = set(keys)
+        for place, plot in enumerate(plots):
+            title = sentence(plot.title).replace("&", "&&")
+            if self.tabs.tabText(place) != title:
+                self.tabs.setTabText(place, title)
+        self.whole_button.setVisible(bool(plots))
+        self._show_current()
+
+    def choose(self, sample_id: int) -> None:
+        """Ring a sample's marks; -1 for none."""
+        self._chosen = sample_id
+        for canvas in self._canvases.values():
+            canvas.choose(sample_id)
+
+    def canvas(self, key: str) -> PlotCanvas:
+        """The canvas of a plot."""
+        return self._canvases[key]
+
+    def retranslate(self) -> None:
+        """Write again in the present language."""
+        self.setAccessibleName(self.tr("Plots"))
+        self.tabs.setAccessibleName(self.tr("Plots"))
+        self.whole_button.setText(self.tr("Show all"))
+        self.whole_button.setToolTip(self.tr("Show the whole plot again (Home). Drag to move, wheel to zoom."))
+        self.whole_button.setAccessibleName(self.tr("Show the whole plot"))
+        self.show_plots(tuple(self._plots.values()))
+
+    def _arrange(self, keys: list[str]) -> None:
+        current = self.tabs.currentWidget()
+        shown = next((key for key, canvas in self._canvases.items() if canvas is current), "")
+        self.tabs.blockSignals(True)
+        self.tabs.clear()
+        for key in [key for key in self._canvases if key not in keys]:
+            gone = self._canvases.pop(key)
+            gone.graph.close()
+            gone.deleteLater()
+        for key in keys:
+            if key not in self._canvases:
+                canvas = self._canvases[key] = PlotCanvas(self)
+                canvas.chosen.connect(self.chosen)
+            self.tabs.addTab(self._canvases[key], "")
+        if shown in keys:
+            self.tabs.setCurrentIndex(keys.index(shown))
+        self.tabs.blockSignals(False)
+
+    def _show_current(self) -> None:
+        canvas = self.tabs.currentWidget()
+        for key, other in self._canvases.items():
+            if other is canvas and key in self._waiting:
+                self._waiting.discard(key)
+                other.show_plot(self._plots[key])
+                other.choose(self._chosen)
+
+    def _whole(self) -> None:
+        canvas = self.tabs.currentWidget()
+        if isinstance(canvas, PlotCanvas):
+            canvas.whole()
