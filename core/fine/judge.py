@@ -36,6 +36,11 @@ class FineLimits:
     near_share: float = 0.5
 
 
+def half_split_limit_mm(fit: FineFit, limits: FineLimits) -> float:
+    """How far apart the poses of two halves of the data may be at an end of the blade: the limit, or chance."""
+    return max(limits.half_split_mm, 4.0 * float(fit.point_sigma_mm.max()) * 2.0)
+
+
 def judge_fine(fit: FineFit, limits: FineLimits | None = None) -> Verdict:
     """Every reason that speaks against a fit."""
     limits = limits or FineLimits()
@@ -59,8 +64,7 @@ def judge_fine(fit: FineFit, limits: FineLimits | None = None) -> Verdict:
         reasons += above(Code.HELD_OUT_ERROR, abs(worst.held_out_mm), limits.held_out_mm,
                          f"The mean distance of {worst.name or f'face {worst.id}'} under the pose of the other faces",
                          "The face is dirty, damaged or not as in the CAD model; or the blade is of another type.")
-    chance = 4.0 * float(fit.point_sigma_mm.max()) * 2.0
-    reasons += above(Code.HELD_OUT_ERROR, float(fit.half_split_mm.max()), max(limits.half_split_mm, chance),
+    reasons += above(Code.HELD_OUT_ERROR, float(fit.half_split_mm.max()), half_split_limit_mm(fit, limits),
                      "The distance between the poses from two halves of the scan", "Scan again; did anything move?")
     reasons += above(Code.ILL_CONDITIONED, fit.conditioning.condition, limits.condition, "The condition of the faces",
                      f"Weakest is {fit.conditioning.description} in the CAD frame; scan faces that hold it.", unit="")

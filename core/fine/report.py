@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 COVERAGE_CELL_MM = 2.0
+# A histogram of distances reaches this many sigmas to either side.
+HISTOGRAM_SIGMAS, HISTOGRAM_BINS = 8.0, 48
 
 
 def conditioning_in_work(result: Estimate) -> Conditioning:
@@ -47,16 +49,23 @@ def largest_motion(model: CadModel, start: Array, end: Array) -> float:
     return float(np.linalg.norm(transform_points(end, corners) - transform_points(start, corners), axis=1).max())
 
 
+def bins_of(result: Estimate) -> Array:
+    """Edges (k + 1,) in mm of the histograms' bins."""
+    reach = HISTOGRAM_SIGMAS * result.sigma_mm
+    return np.linspace(-reach, reach, HISTOGRAM_BINS + 1)
+
+
 def face_results(faces: Sequence[CadFace], result: Estimate,
                  held_out: Sequence[tuple[float, float]]) -> tuple[FaceResult, ...]:
     """One result per CAD face; faces that were joined are told apart again by their own trims."""
     predicted = {id(face): mean for face, (mean, _) in zip(result.used, held_out, strict=True)}
     by_id = {number: fit for fit in result.faces for number in fit.target.patch.face_ids}
-    return tuple(_face_result(face, by_id[face.id], result.measure_from_work, predicted.get(id(by_id[face.id])))
+    bins = bins_of(result)
+    return tuple(_face_result(face, by_id[face.id], result.measure_from_work, predicted.get(id(by_id[face.id])), bins)
                  for face in sorted(faces, key=lambda item: item.id))
 
 
-def _face_result(face: CadFace, fit: FaceFit, pose: Array, held_out: float | None) -> FaceResult:
+def _face_result(face: CadFace, fit: FaceFit, pose: Array, held_out: float | None, bins: Array) -> FaceResult:
     mine = _own_points(face, fit, pose)
     weights, d = fit.weights[mine], fit.distances_mm[mine]
     total = float(weights.sum())
@@ -69,7 +78,8 @@ def _face_result(face: CadFace, fit: FaceFit, pose: Array, held_out: float | Non
     return FaceResult(
         id=face.id, name=face.name, type=face.type, points=round(total), rms_mm=float(np.sqrt(weights @ d**2 / total)),
         mean_mm=mean, sigma_mm=fit.mixture.sigma_mm, held_out_mm=float("nan") if held_out is None else held_out,
-        coverage=_coverage(fit.target, fit.box.points[mine][weights > 0.5], pose), used=True, note=note)
+        coverage=_coverage(fit.target, fit.box.points[mine][weights > 0.5], pose), used=True, note=note,
+        counts=tuple(np.histogram(d, bins)[0].tolist()))
 
 
 def _own_points(face: CadFace, fit: FaceFit, pose: Array) -> Mask:

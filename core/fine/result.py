@@ -31,6 +31,7 @@ class FaceResult:
         coverage: Share of the face's area on which points were found.
         used: False where the face had no say.
         note: Why it was not used, or what is odd about it; empty otherwise.
+        counts: How many of all points in the face's box lie between two edges of `FineFit.bins_mm`; empty if not used.
     """
 
     id: int
@@ -44,6 +45,7 @@ class FaceResult:
     coverage: float
     used: bool
     note: str
+    counts: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +69,7 @@ class FineFit:
         point_sigma_mm: (3,) one sigma of the position there, root of the trace.
         half_split_mm: (3,) distance there between the poses from two halves of the data (alternating blocks of 5 mm).
         start_moved_mm: Largest motion of the model's corners from the start.
+        bins_mm: (k + 1,) edges of the bins of the faces' histograms of distances, symmetric about 0.
         settings: As used.
     """
 
@@ -86,4 +89,5 @@ class FineFit:
     point_sigma_mm: Array
     half_split_mm: Array
     start_moved_mm: float
+    bins_mm: Array
     settings: FineSettings

@@ -13,7 +13,7 @@ from core.fine.capture import Capture, capture
 from core.fine.checks import check_capture, check_geometry, check_scan, check_start, checked_points, chosen_faces
 from core.fine.estimate import Estimate, estimate
 from core.fine.held_out import half_split, held_out_means
-from core.fine.report import conditioning_in_work, ends_of, face_results, largest_motion
+from core.fine.report import bins_of, conditioning_in_work, ends_of, face_results, largest_motion
 from core.fine.result import FineFit
 from core.fine.settings import FineSettings
 from core.frames import PoseCovariance, checked_rigid, transform_points
@@ -78,5 +78,6 @@ def _assembled(model: CadModel, start: Array, faces: Sequence[CadFace], named: b
         point_sigma_mm=sigmas,
         half_split_mm=half_split(result, in_measure),
         start_moved_mm=largest_motion(model, start, result.measure_from_work),
+        bins_mm=bins_of(result),
         settings=settings,
     )
