@@ -77,7 +77,7 @@ class Sentences:
         if len(lines) > 1:
             return "\n".join(self._say(line) for line in lines)
         parts = SENTENCE_END.split(text)
-        return " ".join(self._found(part, 0) or part for part in parts)
+        return " ".join(self._filling(part, 0) for part in parts)
 
     def _found(self, text: str, depth: int) -> str | None:
         if text in self._plain:

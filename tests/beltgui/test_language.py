@@ -22,7 +22,7 @@ GERMAN = {
     "Fasten it.": "Befestigen.",
     "Scan again.": "Neu scannen.",
     "scan {0} of {1}: {2}": "Scan {0} von {1}: {2}",
-    "{1} comes before {0}": "erst {1}, dann {0}",
+    "{0} comes before {1}": "{1} kommt nach {0}",
 }
 
 
@@ -40,8 +40,8 @@ def german() -> Sentences:
         ("The ball is 1 mm, the limit is 2 mm. Fasten it. Scan again.",
          "Kugel: 1 mm, erlaubt sind 2 mm. Befestigen. Neu scannen."),
         ("scan 2 of 7: pose 3", "Scan 2 von 7: pose 3"),
-        ("ball, stage and x", "Kugel, Achsen und x".replace("und", "and")),
-        ("one comes before two", "erst two, dann one"),
+        ("ball, stage and x", "Kugel, Achsen and x"),
+        ("one comes before two", "two kommt nach one"),
         ("Nobody wrote this.", "Nobody wrote this."),
         ("Nobody wrote this. Scan again.", "Nobody wrote this. Neu scannen."),
         ("Fasten it.\nScan again.", "Befestigen.\nNeu scannen."),
