@@ -6,11 +6,12 @@ itself can show it; the stop can.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from beltgui.session import Session
 from beltgui.steps.blocks import degrees
 from beltgui.steps.context import Context
 from core.verdict import Code, Reason
@@ -72,8 +73,14 @@ class HeadRest:
         }
 
 
-def acquire(context: Context, step: str, grinder: str) -> None:
+def acquire(context: Context, step: str, grinder: str, note: Mapping[str, Any] | None = None) -> None:
     """Read the head while nothing touches the wheel, and keep the median of some readings.
+
+    Args:
+        context: Cell and session.
+        step: Which step the sample is kept for.
+        grinder: Its name.
+        note: What else to keep with the sample.
 
     Raises:
         DeviceError: the sensor is lost, or gave no reading at all.
@@ -87,14 +94,10 @@ def acquire(context: Context, step: str, grinder: str) -> None:
             continue  # a lost frame; the others will do
     if not angles:
         raise DeadlineExceeded(f"grinder {grinder}", "no reading of the head at its stop. Check the sensor's link.")
-    data = {"grinder": grinder, "angle_rad": float(np.median(angles)), "time_s": context.cell.clock.now_s()}
-    context.session.add_sample(step, KIND, data)
-
-
-def read(session: Session, step: str) -> dict[str, tuple[float, ...]]:
-    """Readings of a step by grinder, rad."""
-    found: dict[str, list[float]] = {}
-    for sample in session.samples(step, KIND):
-        found.setdefault(sample.data["grinder"], []).append(sample.data["angle_rad"])
-    return {name: tuple(angles) for name, angles in found.items()}
-
+    data = {
+        "grinder": grinder,
+        "angle_rad": float(np.median(angles)),
+        "time_s": context.cell.clock.now_s(),
+        **(note or {}),
+    }
+    context.on_sample(context.session.add_sample(step, KIND, data))

@@ -7,27 +7,25 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from beltgui.jobs import Job
+from beltgui.steps.ball.closing import Returned, acquire_with_closing, is_complete, returned
+from beltgui.steps.ball.found import BallScan, ball_scans, judge_scans, missing_reasons, usable
 from beltgui.steps.ball.record import sphere_record, stage_record
 from beltgui.steps.blocks import plain, verdict_block
 from beltgui.steps.context import Context
-from beltgui.steps.held_out import HeldOut, split
-from beltgui.steps.scans import ScanSample, acquire_scans
-from core.ball import (
-    SphereFit,
-    SphereLimits,
-    StageFit,
-    StageLimits,
-    StageObservations,
-    fit_sphere,
-    judge_sphere,
-    judge_stage,
-    solve_stage,
-)
+from beltgui.steps.held_out import HeldOut, is_held_out
+from beltgui.steps.room import Bench
+from core.ball import SphereFit, StageFit, StageLimits, StageObservations, judge_stage, solve_stage
+from core.ball.stage_checks import STILL_RAD
+from core.errors import InputError
 from core.frames import transform_points
-from core.verdict import Code, Reason, Verdict, above
+from core.verdict import Code, Verdict
 from devices.interfaces import Mount
 
+Array = NDArray[np.float64]
+STEP = "ball"
 HELD_OUT_LIMIT_MM = 0.03
 # Nothing but the stage moved: its repeatability and the noise of a ball centre are some µm.
 RETURNED_LIMIT_MM = 0.03
@@ -38,95 +36,91 @@ class BallOutcome:
     """What the step found.
 
     Attributes:
-        spheres: One per scan, in {S}.
+        scans: All that were not deleted, in order of time.
+        fitted: Those that the stage was fitted to, in the order of its residuals.
         stage: The stage's axes, from the scans that were not kept out.
+        misses_mm: By sample id, (3,) the ball as that scan sees it less the fitted one, in {M}; scans that show none or
+            stand where the stage is not known are not in it.
         held_out: Ball centre in {M} from the scans kept out, against the fitted one.
-        returned_mm: Distance between the ball in the first scan and in the last, which is taken at the same place.
+        returned: The ball in the first scan and in the closing one, which is taken at the same place.
         verdict: Of all of it.
     """
 
-    spheres: tuple[SphereFit, ...]
+    scans: tuple[BallScan, ...]
+    fitted: tuple[BallScan, ...]
     stage: StageFit
+    misses_mm: dict[int, Array]
     held_out: HeldOut
-    returned_mm: float
+    returned: Returned
     verdict: Verdict
 
+    @property
+    def spheres(self) -> tuple[SphereFit, ...]:
+        """The balls of all scans that are included, in {S}."""
+        return tuple(scan.sphere for scan in self.scans if scan.usable)
 
-def acquire(context: Context) -> list[ScanSample]:
-    """Mount the ball, scan it from the planned stage positions, and at the end from the first one again."""
-    context.cell.operator.perform(Mount("ball"))
+    @property
+    def returned_mm(self) -> float:
+        """Distance between the ball in the first scan and in the closing one; NaN while it is not known."""
+        return self.returned.moved_mm
+
+
+def acquire(bench: Bench, context: Context) -> None:
+    """Mount the ball, take the scans that are missing, and at the end the first place again."""
     poses = context.plan.stage_step
-    return acquire_scans(context, "ball", [*poses, poses[0]])
+    if is_complete(ball_scans(bench, STEP), len(poses)):
+        return
+    context.cell.operator.perform(Mount("ball"))
+    acquire_with_closing(bench, context, STEP, poses)
 
 
-def find_balls(samples: Sequence[ScanSample], diameter_mm: float) -> tuple[SphereFit, ...]:
-    """The ball of certified diameter in each scan."""
-    return tuple(
-        fit_sphere(sample.points_in_scanner, diameter_mm=diameter_mm, fix_diameter=True) for sample in samples
-    )
-
-
-def judge_balls(samples: Sequence[ScanSample], spheres: Sequence[SphereFit]) -> list[Reason]:
-    """What speaks against single scans, each with the scan's name."""
-    limits = SphereLimits()
-    return [
-        Reason(reason.code, f"Scan '{sample.name}': {reason.message}")
-        for sample, sphere in zip(samples, spheres, strict=True)
-        for reason in judge_sphere(sphere, limits).reasons
-    ]
-
-
-def judge_returned(returned_mm: float, limit_mm: float) -> list[Reason]:
-    """What the scan says that was taken at the first place again after all others."""
-    return above(
-        Code.HELD_OUT_ERROR,
-        returned_mm,
-        limit_mm,
-        "The distance of the ball from where the first scan saw it, back at the same place after all other scans,",
-        "The ball, the stage or the robot has moved meanwhile: fasten everything and scan again.",
-    )
-
-
-def solve(samples: Sequence[ScanSample], diameter_mm: float) -> BallOutcome:
+def solve(bench: Bench, job: Job) -> BallOutcome:
     """Fit the ball in every scan, then the stage on most of them, then check on the rest.
 
-    Args:
-        samples: Scans of the ball standing still; the last at the place of the first.
-        diameter_mm: The certified diameter.
-
     Raises:
-        InputError: a scan shows no ball, or the positions do not determine the stage.
+        InputError: no scan shows a ball, or the positions do not determine the stage.
+        Cancelled: the job was cancelled.
     """
-    spheres = find_balls(samples, diameter_mm)
-    returned_mm = float(np.linalg.norm(spheres[-1].center_mm - spheres[0].center_mm))
-    fitted, held = split(len(samples) - 1)
-    stage = solve_stage(_observations([samples[i] for i in fitted], [spheres[i] for i in fitted]))
-    errors = [
-        np.linalg.norm(
-            transform_points(
-                stage.measure_from_scanner_at(samples[i].stage_mm, samples[i].stage.theta_rad), spheres[i].center_mm
-            )
-            - stage.ball_in_measure_mm
-        )
-        for i in held
-    ]
+    scans = ball_scans(bench, STEP, job)
+    used = usable(scans)
+    if not used:
+        raise InputError("No scan shows the ball yet. Take the scans.", Code.NOT_ENOUGH_POINTS)
+    fitted = [scan for scan in used if not is_held_out(scan.slot)]
+    stage = solve_stage(observations(fitted))
+    misses = {scan.id: carried(stage, scan) - stage.ball_in_measure_mm for scan in scans if can_carry(stage, scan)}
+    errors = [np.linalg.norm(misses[scan.id]) for scan in used if is_held_out(scan.slot) and scan.id in misses]
     held_out = HeldOut("ball centre in {M}", np.array(errors), HELD_OUT_LIMIT_MM)
+    centers = {scan.id: scan.sphere.center_mm for scan in scans if scan.usable}
+    back = returned(scans, centers, RETURNED_LIMIT_MM)
     reasons = [
-        *judge_returned(returned_mm, RETURNED_LIMIT_MM),
-        *judge_balls(samples, spheres),
+        *missing_reasons(scans, [pose.name for pose in bench.plan.stage_step]),
+        *back.reasons(),
+        *judge_scans(scans),
         *judge_stage(stage, StageLimits()).reasons,
         *held_out.reasons("The ball or the scanner may have moved between the scans: fasten both, scan again."),
     ]
-    return BallOutcome(spheres, stage, held_out, returned_mm, Verdict.of(reasons))
+    return BallOutcome(scans, tuple(fitted), stage, misses, held_out, back, Verdict.of(reasons))
 
 
-def _observations(samples: Sequence[ScanSample], spheres: Sequence[SphereFit]) -> StageObservations:
+def observations(scans: Sequence[BallScan]) -> StageObservations:
+    """Scans that show the ball, as the stage's fit takes them."""
     return StageObservations(
-        stage_mm=np.array([sample.stage_mm for sample in samples]),
-        stage_rad=np.array([sample.stage.theta_rad for sample in samples]),
-        ball_in_scanner_mm=np.array([sphere.center_mm for sphere in spheres]),
-        sigma_mm=np.array([np.sqrt(np.trace(sphere.covariance_mm2) / 3.0) for sphere in spheres]),
+        stage_mm=np.array([scan.stage_mm for scan in scans]).reshape(-1, 3),
+        stage_rad=np.array([scan.stage.theta_rad for scan in scans]),
+        ball_in_scanner_mm=np.array([scan.sphere.center_mm for scan in scans]).reshape(-1, 3),
+        sigma_mm=np.array([np.sqrt(np.trace(scan.sphere.covariance_mm2) / 3.0) for scan in scans]),
     )
+
+
+def can_carry(stage: StageFit, scan: BallScan) -> bool:
+    """True if the scan shows a ball and stands where the stage is known."""
+    turned = abs(scan.stage.theta_rad - stage.rotary_reference_rad) > STILL_RAD
+    return scan.seen.sphere is not None and (stage.rotary_axis is not None or not turned)
+
+
+def carried(stage: StageFit, scan: BallScan) -> Array:
+    """(3,) the ball of a scan in {M}."""
+    return transform_points(stage.measure_from_scanner_at(scan.stage_mm, scan.stage.theta_rad), scan.sphere.center_mm)
 
 
 def record(outcome: BallOutcome) -> dict[str, Any]:
@@ -135,6 +129,6 @@ def record(outcome: BallOutcome) -> dict[str, Any]:
         "stage": stage_record(outcome.stage, Verdict()),
         "spheres": [sphere_record(sphere, Verdict()) for sphere in outcome.spheres],
         "held_out": plain(outcome.held_out.block()),
-        "returned_mm": outcome.returned_mm,
+        "returned_mm": plain(outcome.returned_mm),
         "verdict": verdict_block(outcome.verdict),
     }

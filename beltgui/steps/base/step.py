@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from beltgui.steps.ball.step import find_balls, judge_balls, judge_returned
+from beltgui.jobs import Job
+from beltgui.steps.ball.closing import Returned, acquire_with_closing, is_complete, returned
+from beltgui.steps.ball.found import BallScan, ball_scans, judge_scans, missing_reasons, usable
+from beltgui.steps.ball.step import carried
 from beltgui.steps.base.record import record as fit_record
 from beltgui.steps.blocks import plain, verdict_block
 from beltgui.steps.context import Context
-from beltgui.steps.held_out import HeldOut, split
-from beltgui.steps.scans import ScanSample, acquire_scans
+from beltgui.steps.held_out import HeldOut, is_held_out
+from beltgui.steps.room import Bench
 from core.ball import SphereFit, StageFit
 from core.base import BaseFit, BaseLimits, judge_base, solve_base
+from core.errors import InputError
 from core.frames import transform_points
-from core.verdict import Verdict
+from core.verdict import Code, Verdict
 from devices.interfaces import Mount
 
+Array = NDArray[np.float64]
+STEP = "base"
 HELD_OUT_LIMIT_MM = 1.0
 # The robot comes back to a pose within its repeatability, some hundredths of a mm at the ball.
 RETURNED_LIMIT_MM = 0.1
@@ -30,61 +36,94 @@ class BaseOutcome:
     """What the step found.
 
     Attributes:
-        spheres: One per scan, in {S}.
+        scans: All that were not deleted, in order of time.
+        fitted: Those that the base was fitted to, in the order of its residuals.
         fit: From the poses that were not kept out.
-        returned_mm: Distance between the ball in the first scan and in the last, which is taken in the same pose.
+        balls_mm: By sample id, (3,) the ball in {M}; scans that show none are not in it.
+        misses_mm: By sample id, (3,) the ball by the robot less the ball by the scanner, in {B}.
         held_out: Ball in {B} by scanner against ball by robot, at the poses kept out.
+        returned: The ball in the first scan and in the closing one, which is taken in the same pose.
         verdict: Of all of it.
     """
 
-    spheres: tuple[SphereFit, ...]
+    scans: tuple[BallScan, ...]
+    fitted: tuple[BallScan, ...]
     fit: BaseFit
+    balls_mm: dict[int, Array]
+    misses_mm: dict[int, Array]
     held_out: HeldOut
-    returned_mm: float
+    returned: Returned
     verdict: Verdict
 
+    @property
+    def spheres(self) -> tuple[SphereFit, ...]:
+        """The balls of all scans that are included, in {S}."""
+        return tuple(scan.sphere for scan in self.scans if scan.usable)
 
-def acquire(context: Context) -> list[ScanSample]:
-    """Scan the ball on the flange in the planned robot poses, and at the end in the first one again."""
-    context.cell.operator.perform(Mount("ball"))
+    @property
+    def returned_mm(self) -> float:
+        """Distance between the ball in the first scan and in the closing one; NaN while it is not known."""
+        return self.returned.moved_mm
+
+
+def acquire(bench: Bench, context: Context) -> None:
+    """Scan the ball on the flange in the planned poses that are missing, and at the end in the first one again."""
     poses = context.plan.base_step
-    return acquire_scans(context, "base", [*poses, poses[0]])
+    if is_complete(ball_scans(bench, STEP), len(poses)):
+        return
+    context.cell.operator.perform(Mount("ball"))
+    acquire_with_closing(bench, context, STEP, poses)
 
 
-def solve(samples: Sequence[ScanSample], diameter_mm: float, stage: StageFit) -> BaseOutcome:
+def solve(bench: Bench, job: Job) -> BaseOutcome:
     """Fit the ball in every scan, the base on most poses, and check on the rest.
 
-    Args:
-        samples: Scans of the ball on the flange; the last in the pose of the first.
-        diameter_mm: The certified diameter.
-        stage: Result of the ball step.
-
     Raises:
-        InputError: a scan shows no ball, or the poses do not determine the frame.
+        InputError: the ball step has no result, no scan shows a ball, or the poses do not determine the frame.
+        Cancelled: the job was cancelled.
     """
-    spheres = find_balls(samples, diameter_mm)
-    measure_from_scanner = [stage.measure_from_scanner_at(s.stage_mm, s.stage.theta_rad) for s in samples]
-    balls = np.array([
-        transform_points(pose, sphere.center_mm) for pose, sphere in zip(measure_from_scanner, spheres, strict=True)
-    ])
-    covariances = np.array([
-        pose[:3, :3] @ sphere.covariance_mm2 @ pose[:3, :3].T
-        for pose, sphere in zip(measure_from_scanner, spheres, strict=True)
-    ])
-    flanges = np.array([sample.base_from_flange for sample in samples])
-    returned_mm = float(np.linalg.norm(balls[-1] - balls[0]))
-    fitted, held = split(len(samples) - 1)
-    fit = solve_base(flanges[fitted], balls[fitted], ball_covariance_mm2=covariances[fitted])
-    by_robot = np.array([transform_points(flanges[i], fit.ball_in_flange_mm) for i in held]).reshape(-1, 3)
-    by_scanner = transform_points(fit.base_from_measure, balls[held].reshape(-1, 3))
-    held_out = HeldOut("ball centre in {B}", np.linalg.norm(by_robot - by_scanner, axis=1), HELD_OUT_LIMIT_MM)
+    if "ball" not in bench.found:
+        raise InputError("The ball step has no result yet, so the scans cannot be placed. Finish the ball step first.")
+    stage: StageFit = bench.found["ball"].stage
+    scans = ball_scans(bench, STEP, job)
+    used = usable(scans)
+    if not used:
+        raise InputError("No scan shows the ball yet. Take the scans.", Code.NOT_ENOUGH_POINTS)
+    balls = {scan.id: carried(stage, scan) for scan in scans if scan.seen.sphere is not None}
+    fitted = [scan for scan in used if not is_held_out(scan.slot)]
+    fit = solve_base(
+        np.array([scan.base_from_flange for scan in fitted]).reshape(-1, 4, 4),
+        np.array([balls[scan.id] for scan in fitted]).reshape(-1, 3),
+        ball_covariance_mm2=np.array([_ball_covariance(stage, scan) for scan in fitted]).reshape(-1, 3, 3),
+    )
+    misses = {scan.id: by_robot(fit, scan) - by_scanner(fit, balls[scan.id]) for scan in scans if scan.id in balls}
+    errors = [np.linalg.norm(misses[scan.id]) for scan in used if is_held_out(scan.slot)]
+    held_out = HeldOut("ball centre in {B}", np.array(errors), HELD_OUT_LIMIT_MM)
+    back = returned(scans, balls, RETURNED_LIMIT_MM)
     reasons = [
-        *judge_returned(returned_mm, RETURNED_LIMIT_MM),
-        *judge_balls(samples, spheres),
+        *missing_reasons(scans, [pose.name for pose in bench.plan.base_step]),
+        *back.reasons(),
+        *judge_scans(scans),
         *judge_base(fit, BaseLimits()).reasons,
         *held_out.reasons("The ball may have moved on the flange, or the robot's mastering is off: check both."),
     ]
-    return BaseOutcome(spheres, fit, held_out, returned_mm, Verdict.of(reasons))
+    return BaseOutcome(scans, tuple(fitted), fit, balls, misses, held_out, back, Verdict.of(reasons))
+
+
+def _ball_covariance(stage: StageFit, scan: BallScan) -> Array:
+    """(3, 3) of the ball's centre in {M}, from its scan."""
+    rotation = stage.measure_from_scanner_at(scan.stage_mm, scan.stage.theta_rad)[:3, :3]
+    return np.asarray(rotation @ scan.sphere.covariance_mm2 @ rotation.T)
+
+
+def by_robot(fit: BaseFit, scan: BallScan) -> Array:
+    """(3,) the ball in {B}, as the flange carries it."""
+    return transform_points(scan.base_from_flange, fit.ball_in_flange_mm)
+
+
+def by_scanner(fit: BaseFit, ball_in_measure: Array) -> Array:
+    """(3,) the ball in {B}, as the scanner sees it."""
+    return transform_points(fit.base_from_measure, ball_in_measure)
 
 
 def record(outcome: BaseOutcome) -> dict[str, Any]:
@@ -92,6 +131,6 @@ def record(outcome: BaseOutcome) -> dict[str, Any]:
     return {
         **fit_record(outcome.fit, outcome.verdict),
         "held_out": plain(outcome.held_out.block()),
-        "returned_mm": outcome.returned_mm,
+        "returned_mm": plain(outcome.returned_mm),
         "verdict": verdict_block(outcome.verdict),
     }

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from beltgui.session import Session
-from beltgui.steps import head_rest
+from beltgui.jobs import Job
 from beltgui.steps.blocks import degrees, plain, verdict_block
-from beltgui.steps.context import Context
-from beltgui.steps.held_out import HeldOut, split
+from beltgui.steps.held_out import HeldOut, is_held_out
+from beltgui.steps.room import Bench
 from beltgui.steps.tool.record import stylus_record, wheel_record
+from beltgui.steps.tool.touches import ConeTouch, Missing, ShaftTouch, Touches, missing, planned_count, read
+from core.errors import InputError
 from core.frames import transform_points
 from core.tool import (
     StylusFit,
@@ -27,45 +28,12 @@ from core.tool import (
     solve_stylus,
     solve_wheel,
 )
-from core.verdict import Reason, Verdict
-from devices.cell_plan import GrinderPlan
-from devices.interfaces import Mount, TouchCone, TouchShaft
+from core.verdict import Code, Reason, Verdict
+from devices.cell_plan import CellPlan, GrinderPlan
 
 Array = NDArray[np.float64]
-CONE = "cone_touch"
-SHAFT = "shaft_touch"
 CONE_LIMIT_MM = 0.5
 SHAFT_LIMIT_MM = 0.5
-
-
-@dataclass(frozen=True, eq=False)
-class ShaftTouch:
-    """One touch of a wheel shaft's centre mark.
-
-    Attributes:
-        grinder: Its name.
-        angle_rad: Head angle by the grinder's sensor.
-        base_from_flange: (4, 4) as the robot reported it.
-    """
-
-    grinder: str
-    angle_rad: float
-    base_from_flange: Array
-
-
-@dataclass(frozen=True, eq=False)
-class ToolSamples:
-    """All touches of the step.
-
-    Attributes:
-        cone: (4, 4) each, base_from_flange with the tip in the cone.
-        shafts: Touches of all grinders.
-        rests_rad: Head angles at the stop, by grinder.
-    """
-
-    cone: tuple[Array, ...]
-    shafts: tuple[ShaftTouch, ...]
-    rests_rad: Mapping[str, tuple[float, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,113 +41,121 @@ class ToolOutcome:
     """What the step found.
 
     Attributes:
+        touches: All that were not deleted.
+        fitted_cone: Those that the stylus was fitted to, in the order of its residuals.
         stylus: Tip in the flange.
+        cone_misses_mm: By sample id, (3,) the tip less the pivot, in {B}.
         cone_held_out: Pivot by touches kept out.
-        wheels: {H} of each grinder.
-        shafts_held_out: Of each grinder: the centre mark by touches kept out.
+        fitted_shafts: By grinder, those that its wheel was fitted to, in the order of its residuals.
+        wheels: {H} of each grinder whose touches determine it.
+        unsolved: By grinder, why its touches do not determine its wheel.
+        shaft_misses_mm: By sample id, (3,) the touch less the centre mark at its head angle, in {B}.
+        shafts_held_out: Of each solved grinder: the centre mark by touches kept out.
         rests_rad: What each head's sensor reads at the stop, for as long as its zero stays where it is.
         verdict: Of all of it.
     """
 
+    touches: Touches
+    fitted_cone: tuple[ConeTouch, ...]
     stylus: StylusFit
+    cone_misses_mm: dict[int, Array]
     cone_held_out: HeldOut
+    fitted_shafts: Mapping[str, tuple[ShaftTouch, ...]]
     wheels: Mapping[str, WheelFit]
+    unsolved: Mapping[str, str]
+    shaft_misses_mm: dict[int, Array]
     shafts_held_out: Mapping[str, HeldOut]
     rests_rad: Mapping[str, tuple[float, ...]]
     verdict: Verdict
 
 
-def acquire(context: Context) -> ToolSamples:
-    """Ask for the stylus, the touches in the cone and the touches of every wheel shaft."""
-    operator, touches = context.cell.operator, context.plan.stylus.touches
-    operator.perform(Mount("stylus"))
-    total = len(touches) + sum(len(grinder.touch_angles_rad) for grinder in context.plan.grinders.values())
-    done = 0
-    for index, near in enumerate(touches):
-        context.job.report(done / total, f"cone touch {index + 1} of {len(touches)}")
-        operator.perform(TouchCone(index, len(touches), near))
-        reading = context.cell.robot.read()
-        data = {"base_from_flange": reading.base_from_flange.tolist(), "time_s": reading.time_s}
-        context.session.add_sample("tool", CONE, data)
-        done += 1
-    for name, grinder in context.plan.grinders.items():
-        head_rest.acquire(context, "tool", name)
-        for angle_rad in grinder.touch_angles_rad:
-            context.job.report(done / total, f"grinder {name}: shaft at {np.degrees(angle_rad):+.0f} degrees")
-            operator.perform(TouchShaft(name, angle_rad, grinder.touch_from_flange))
-            reading = context.cell.robot.read()
-            head = context.cell.grinders[name].read()
-            data = {
-                "grinder": name,
-                "angle_rad": head.angle_rad,
-                "base_from_flange": reading.base_from_flange.tolist(),
-                "time_s": reading.time_s,
-            }
-            context.session.add_sample("tool", SHAFT, data)
-            done += 1
-    return read(context.session)
+@dataclass(frozen=True, eq=False)
+class _Wheel:
+    fitted: tuple[ShaftTouch, ...]
+    fit: WheelFit
+    misses_mm: dict[int, Array]
+    held_out: HeldOut
+
+    def reasons(self) -> list[Reason]:
+        return [
+            *judge_wheel(self.fit, WheelLimits()).reasons,
+            *self.held_out.reasons("Touch the centre mark again; see that the head was held still."),
+        ]
 
 
-def read(session: Session) -> ToolSamples:
-    """The touches as they were kept.
-
-    Raises:
-        InputError: there are none.
-    """
-    cone = tuple(np.array(sample.data["base_from_flange"]) for sample in session.kept("tool", CONE))
-    shafts = tuple(
-        ShaftTouch(s.data["grinder"], s.data["angle_rad"], np.array(s.data["base_from_flange"]))
-        for s in session.kept("tool", SHAFT)
-    )
-    return ToolSamples(cone, shafts, head_rest.read(session, "tool"))
-
-
-def solve(samples: ToolSamples, grinders: Mapping[str, GrinderPlan]) -> ToolOutcome:
+def solve(bench: Bench, job: Job) -> ToolOutcome:
     """Solve stylus and wheels on most touches, check on the rest.
 
-    Args:
-        samples: All touches.
-        grinders: What is known of each grinder: Rg and the way from the touched mark to the wheel's mid-plane.
-
     Raises:
-        InputError: the touches do not determine the tip or a wheel.
+        InputError: the touches do not determine the tip.
+        Cancelled: the job was cancelled.
     """
-    fitted, held = split(len(samples.cone))
-    cone = np.array(samples.cone)
-    stylus = solve_stylus(cone[fitted])
-    missed = [transform_points(cone[i], stylus.tip_in_flange_mm) - stylus.pivot_in_base_mm for i in held]
-    cone_held_out = HeldOut("cone's point", np.linalg.norm(np.reshape(missed, (-1, 3)), axis=1), CONE_LIMIT_MM)
-    reasons = [
+    job.report(0.0, "solving stylus and wheels")
+    touches = read(bench.session)
+    included = [touch for touch in touches.cone if touch.included]
+    fitted = [touch for touch in included if not is_held_out(touch.slot)]
+    stylus = solve_stylus(np.array([touch.base_from_flange for touch in fitted]).reshape(-1, 4, 4))
+    cone_misses = {touch.id: tip_in_base(touch, stylus) - stylus.pivot_in_base_mm for touch in touches.cone}
+    errors = [np.linalg.norm(cone_misses[touch.id]) for touch in included if is_held_out(touch.slot)]
+    cone_held_out = HeldOut("cone's point", np.array(errors), CONE_LIMIT_MM)
+    wheels: dict[str, _Wheel] = {}
+    unsolved: dict[str, str] = {}
+    found: list[Reason] = []
+    for name, plan in bench.plan.grinders.items():
+        try:
+            wheels[name] = _solve_wheel([touch for touch in touches.shafts if touch.grinder == name], stylus, plan)
+        except InputError as error:
+            unsolved[name] = str(error)
+            reasons: Sequence[Reason] = [Reason(error.code, str(error))]
+        else:
+            reasons = wheels[name].reasons()
+        found += [Reason(reason.code, f"Grinder {name}: {reason.message}") for reason in reasons]
+    verdict = Verdict.of([
+        *_missing_reasons(missing(touches, bench.plan), bench.plan),
         *judge_stylus(stylus, StylusLimits()).reasons,
         *cone_held_out.reasons("Touch the cone again, pressing lightly, and see that the stylus sits tight."),
-    ]
-    wheels: dict[str, WheelFit] = {}
-    shafts_held_out: dict[str, HeldOut] = {}
-    for name, plan in grinders.items():
-        touches = [touch for touch in samples.shafts if touch.grinder == name]
-        wheels[name], shafts_held_out[name] = _solve_wheel(touches, stylus, plan)
-        found = [
-            *judge_wheel(wheels[name], WheelLimits()).reasons,
-            *shafts_held_out[name].reasons("Touch the centre mark again; see that the head was held still."),
-        ]
-        reasons += [Reason(reason.code, f"Grinder {name}: {reason.message}") for reason in found]
-    return ToolOutcome(stylus, cone_held_out, wheels, shafts_held_out, samples.rests_rad, Verdict.of(reasons))
+        *found,
+        *_rest_reasons(touches),
+    ])
+    return ToolOutcome(
+        touches=touches,
+        fitted_cone=tuple(fitted),
+        stylus=stylus,
+        cone_misses_mm=cone_misses,
+        cone_held_out=cone_held_out,
+        fitted_shafts={name: wheel.fitted for name, wheel in wheels.items()},
+        wheels={name: wheel.fit for name, wheel in wheels.items()},
+        unsolved=unsolved,
+        shaft_misses_mm={number: miss for wheel in wheels.values() for number, miss in wheel.misses_mm.items()},
+        shafts_held_out={name: wheel.held_out for name, wheel in wheels.items()},
+        rests_rad=touches.rests_rad(),
+        verdict=verdict,
+    )
 
 
-def _solve_wheel(touches: Sequence[ShaftTouch], stylus: StylusFit, plan: GrinderPlan) -> tuple[WheelFit, HeldOut]:
-    angles = np.array([touch.angle_rad for touch in touches])
-    points = np.array([
-        transform_points(touch.base_from_flange, stylus.tip_in_flange_mm) for touch in touches
-    ]).reshape(-1, 3)
-    fitted, held = split(len(touches))
+def tip_in_base(touch: ConeTouch | ShaftTouch, stylus: StylusFit) -> Array:
+    """(3,) the stylus tip of a touch in {B}."""
+    return transform_points(touch.base_from_flange, stylus.tip_in_flange_mm)
+
+
+def _solve_wheel(touches: Sequence[ShaftTouch], stylus: StylusFit, plan: GrinderPlan) -> _Wheel:
+    included = [touch for touch in touches if touch.included]
+    fitted = [touch for touch in included if not is_held_out(touch.slot)]
     fit = solve_wheel(
-        WheelTouches(angles[fitted], points[fitted]),
+        WheelTouches(
+            np.array([touch.angle_rad for touch in fitted]),
+            np.array([tip_in_base(touch, stylus) for touch in fitted]).reshape(-1, 3),
+        ),
         radius_mm=plan.head_radius_mm,
         shaft_offset_mm=-plan.shaft_side_offset_mm,
     )
-    predicted = np.array([shaft_mark(fit, angles[i], plan.shaft_side_offset_mm) for i in held]).reshape(-1, 3)
-    errors = np.linalg.norm(predicted - points[held], axis=1)
-    return fit, HeldOut(f"centre mark of grinder {plan.name}", errors, SHAFT_LIMIT_MM)
+    misses = {
+        touch.id: tip_in_base(touch, stylus) - shaft_mark(fit, touch.angle_rad, plan.shaft_side_offset_mm)
+        for touch in touches
+    }
+    errors = [np.linalg.norm(misses[touch.id]) for touch in included if is_held_out(touch.slot)]
+    held_out = HeldOut(f"centre mark of grinder {plan.name}", np.array(errors), SHAFT_LIMIT_MM)
+    return _Wheel(tuple(fitted), fit, misses, held_out)
 
 
 def shaft_mark(fit: WheelFit, angle_rad: float, shaft_side_offset_mm: float) -> Array:
@@ -187,6 +163,28 @@ def shaft_mark(fit: WheelFit, angle_rad: float, shaft_side_offset_mm: float) -> 
     radius = fit.radius_mm
     in_tool = np.array([radius * (np.cos(angle_rad) - 1.0), radius * np.sin(angle_rad), shaft_side_offset_mm])
     return transform_points(fit.base_from_tool, in_tool)
+
+
+def _missing_reasons(absent: Missing, plan: CellPlan) -> list[Reason]:
+    if not absent.count:
+        return []
+    return [Reason(
+        Code.NOT_ENOUGH_POINTS,
+        f"{absent.count} of {planned_count(plan)} planned touches and readings are missing. Take the missing ones.",
+    )]  # fmt: skip
+
+
+def _rest_reasons(touches: Touches) -> list[Reason]:
+    """A head that was read at its stop, but whose reading was left out."""
+    read_there = {rest.grinder for rest in touches.rests}
+    return [
+        Reason(
+            Code.BAD_INPUT,
+            f"Grinder {name}: the reading of its head at the stop is left out, so a shift of the sensor's zero would "
+            "not show later. Take it in again, or delete it and read it again.",
+        )
+        for name in sorted(read_there - touches.rests_rad().keys())
+    ]
 
 
 def record(outcome: ToolOutcome) -> dict[str, Any]:
