@@ -7,21 +7,27 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from beltgui.session import Session
+from beltgui.session import Sample, Session
 from beltgui.steps import head_rest
 from beltgui.steps.context import Context
-from beltgui.steps.scans import CLOSING, ScanSample, acquire_scans
+from beltgui.steps.error_surface.series import CHECK, CLAMPING, LINE, SERIES, STEP, Series, current_clamping
+from beltgui.steps.scans import CLOSING, KIND, ScanSample, acquire_scans
 from core.cad.blade_type import ProbingGrid
-from core.path import AirfoilSurface, CellFrames, work_from_contact
+from core.errors import InputError
+from core.frames import transform_points
+from core.path import AirfoilSurface, CellFrames, compensate, work_from_contact
 from devices.interfaces import DeadlineExceeded, Mount, Refused, RobotPath
 
 Array = NDArray[np.float64]
-LINE = "line"
-CHECK = "check"
 # A check point decides over the whole surface, so one bounce must not spoil it.
 CHECK_READINGS = 3
 CHECK_LINES = 3
 CHECK_POINTS = 12
+# The blade comes to the wheel along the normal and leaves it so.
+CLEAR_MM = 20.0
+# Errors are measured against the frames that presented the blade. Frames that have been computed again since then and
+# lie farther off than this are those of another cell.
+PRESENTED_LIMIT_MM = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +69,10 @@ class Presenting:
     frames: CellFrames
     grinder: str
 
-    def poses(self, u: Array, v: Array) -> Array:
-        """base_from_flange (N, 4, 4) for the nominal contact at (u, v)."""
-        return self.frames.poses(work_from_contact(self.airfoil, u, v))
+    def poses(self, u: Array, v: Array, clear_mm: float = 0.0) -> Array:
+        """base_from_flange (N, 4, 4) for the nominal contact at (u, v), or that far clear of the wheel."""
+        contacts = work_from_contact(self.airfoil, u, v)
+        return self.frames.poses(compensate(contacts, np.full(len(contacts), clear_mm)))
 
     @property
     def normal_in_tool(self) -> Array:
@@ -73,41 +80,87 @@ class Presenting:
         return np.array([0.0, float(self.frames.contact_side), 0.0])
 
 
-def clamp_and_scan(context: Context) -> list[ScanSample]:
-    """Have the blade clamped and scan it: every clamping is another one, so its frame is measured again."""
+def clamp_and_scan(context: Context, why: str = "") -> list[ScanSample]:
+    """Have the blade clamped and scan it: every clamping is another one, so its frame is measured again.
+
+    Args:
+        context: Cell and session.
+        why: Kept: why what was probed before does not count any more.
+    """
     context.cell.operator.perform(Mount("blade", context.serial))
-    return acquire_scans(context, "error_surface", context.plan.fine_step)
+    _add(context, CLAMPING, {"why": why, "time_s": context.cell.clock.now_s()})
+    return _scan_all(context, KIND)
 
 
 def scan_at_the_end(context: Context) -> list[ScanSample]:
     """Scan the blade after probing: the wheel has pressed on it for an hour, it may have slipped."""
-    return acquire_scans(context, "error_surface", context.plan.fine_step, CLOSING)
+    return _scan_all(context, CLOSING)
+
+
+def _scan_all(context: Context, kind: str) -> list[ScanSample]:
+    poses = context.plan.fine_step
+    return acquire_scans(context, STEP, poses, kind, slots=range(len(poses)))
 
 
 def acquire(context: Context, presenting: Presenting, grid: ProbingGrid) -> ProbeSamples:
     """Probe the grid line by line, then some points between its nodes; each line is kept at once.
 
-    Before and after, with the blade away from the wheel, the head is read at its stop.
+    Lines that were probed before in this clamping, with these frames, are not probed again. Before and after, with the
+    blade away from the wheel, the head is read at its stop.
 
     Raises:
+        InputError: the blade has not been clamped.
         DeviceError: a device failed or refused, or nobody wants the motion.
         Cancelled: the job was cancelled; the lines probed before stay in the session.
     """
+    series = _series(context, presenting, grid)
+    todo = missing_lines(series, grid)
+    if todo:
+        _ask(context, presenting, todo)
+        head_rest.acquire(context, STEP, presenting.grinder)
+        context.mover().move_to(_clear(presenting, todo[0], 0), speed_mm_s=context.speed_mm_s)
+        planned = grid.v_count + CHECK_LINES
+        for line in todo:
+            _probe_line(context, presenting, series, line, planned)
+        context.mover().move_to(_clear(presenting, todo[-1], -1), speed_mm_s=context.speed_mm_s)
+    if todo or not series.rested_after:
+        context.move(context.plan.fine_step[0].base_from_flange, "away from the wheel, back to the scanning pose")
+        head_rest.acquire(context, STEP, presenting.grinder)
+    return read(context.session, presenting.grinder)
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A planned line: a slot of the grid or of the check lines."""
+
+    kind: str
+    slot: int
+    u: Array
+    v: Array
+
+
+def planned_lines(grid: ProbingGrid) -> list[Line]:
+    """All lines in the order of the work: to and fro along u, then the check lines."""
     u, v = grid.u(), grid.v()
-    _ask(context, presenting, u, v)
-    head_rest.acquire(context, "error_surface", presenting.grinder)
-    lines = [(u if number % 2 == 0 else u[::-1], np.full(len(u), position)) for number, position in enumerate(v)]
-    for number, (line_u, line_v) in enumerate(lines):
-        context.job.report(number / (len(v) + CHECK_LINES), f"probing line {number + 1} of {len(v)}")
-        angles = _probe(context, presenting, line_u, line_v, readings=1)
-        _keep(context, presenting.grinder, LINE, line_u, line_v, angles)
-    for number, (line_u, line_v) in enumerate(check_lines(u, v)):
-        context.job.report((len(v) + number) / (len(v) + CHECK_LINES), f"check line {number + 1} of {CHECK_LINES}")
-        angles = _probe(context, presenting, line_u, line_v, readings=CHECK_READINGS)
-        _keep(context, presenting.grinder, CHECK, line_u, line_v, angles)
-    context.move(context.plan.fine_step[0].base_from_flange, "away from the wheel, back to the scanning pose")
-    head_rest.acquire(context, "error_surface", presenting.grinder)
-    return read(context.session)
+    lines = [
+        Line(LINE, slot, u if slot % 2 == 0 else u[::-1], np.full(len(u), position)) for slot, position in enumerate(v)
+    ]
+    return lines + [Line(CHECK, slot, *points) for slot, points in enumerate(check_lines(u, v))]
+
+
+def missing_lines(series: Series | None, grid: ProbingGrid) -> list[Line]:
+    """The planned lines that were not probed in a series, or not at these points."""
+    return [line for line in planned_lines(grid) if not _there(series, line)]
+
+
+def _there(series: Series | None, line: Line) -> bool:
+    if series is None:
+        return False
+    found = (series.lines if line.kind == LINE else series.checks).get(line.slot)
+    return found is not None and all(
+        len(found.data[key]) == len(values) and np.allclose(found.data[key], values)
+        for key, values in (("u", line.u), ("v", line.v))
+    )
 
 
 def check_lines(u: Array, v: Array) -> list[tuple[Array, Array]]:
@@ -118,25 +171,83 @@ def check_lines(u: Array, v: Array) -> list[tuple[Array, Array]]:
     return [(middle_u, np.full(len(middle_u), 0.5 * (v[row] + v[row + 1]))) for row in rows]
 
 
-def _ask(context: Context, presenting: Presenting, u: Array, v: Array) -> None:
-    """One question for the whole series: the outline of the patch shows where the robot will go."""
-    outline_u = np.concatenate([u, np.full(len(v), u[-1]), u[::-1], np.full(len(v), u[0])])
-    outline_v = np.concatenate([np.full(len(u), v[0]), v, np.full(len(u), v[-1]), v[::-1]])
-    poses = presenting.poses(outline_u, outline_v)
-    length = float(np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).sum())
-    path = RobotPath(poses, length / context.speed_mm_s, length)
-    purpose = f"to probe {len(u) * len(v)} points of the airfoil on grinder {presenting.grinder} (outline shown)"
+def presented_apart_mm(presented: Presenting, now: Presenting, grid: ProbingGrid) -> float:
+    """How far the blade would be moved at the wheel, at most, if it were presented by other frames.
+
+    Args:
+        presented: The frames of the probing.
+        now: The frames as they are known now.
+        grid: The patch, {W}.
+    """
+    nodes = np.meshgrid(np.linspace(grid.u_min, grid.u_max, 9), np.linspace(grid.v_min, grid.v_max, 5))
+    u, v = (axis.ravel() for axis in nodes)
+    in_work = work_from_contact(presented.airfoil, u, v)[:, :3, 3]
+    in_flange = transform_points(presented.frames.flange_from_work, in_work)
+    points = np.concatenate([in_flange, np.ones((len(in_flange), 1))], axis=1)
+    before, after = (np.einsum("nij,nj->ni", chain.poses(u, v), points)[:, :3] for chain in (presented, now))
+    return float(np.linalg.norm(after - before, axis=1).max())
+
+
+def _series(context: Context, presenting: Presenting, grid: ProbingGrid) -> Series:
+    """The series to go on with, or a new one."""
+    clamping = current_clamping(context.session)
+    if clamping is None:
+        raise InputError("The blade has not been clamped and scanned for probing. Clamp it first.")
+    series = clamping.series.get(presenting.grinder)
+    if series is not None:
+        old = Presenting(presenting.airfoil, series.frames, presenting.grinder)
+        if presented_apart_mm(old, presenting, grid) <= PRESENTED_LIMIT_MM:
+            return series
+    frames = presenting.frames
+    data = {
+        "grinder": presenting.grinder,
+        "base_from_tool": frames.base_from_tool.tolist(),
+        "flange_from_work": frames.flange_from_work.tolist(),
+        "wheel_radius_mm": frames.wheel_radius_mm,
+        "contact_side": frames.contact_side,
+        "time_s": context.cell.clock.now_s(),
+    }
+    return Series(_add(context, SERIES, data), {}, {}, (), False, {})
+
+
+def _clear(presenting: Presenting, line: Line, end: int) -> Array:
+    """Clear of the wheel before the first (0) or after the last (-1) point of a line."""
+    return np.asarray(presenting.poses(line.u[[end]], line.v[[end]], CLEAR_MM)[0])
+
+
+def _ask(context: Context, presenting: Presenting, lines: list[Line]) -> None:
+    """One question for the whole series: the outline of the lines shows where the robot will go."""
+    first, last = lines[0], lines[-1]
+    way = context.mover().preview(_clear(presenting, first, 0), speed_mm_s=context.speed_mm_s)
+    ends_u = np.array([(line.u.min(), line.u.max()) for line in lines])
+    ends_v = np.array([line.v[0] for line in lines])
+    lowest, highest = int(ends_v.argmin()), int(ends_v.argmax())
+    low_u, high_u = np.sort(lines[lowest].u), np.sort(lines[highest].u)
+    outline_u = np.concatenate([low_u, ends_u[:, 1], high_u[::-1], ends_u[::-1, 0]])
+    outline_v = np.concatenate([lines[lowest].v, ends_v, lines[highest].v, ends_v[::-1]])
+    poses = [way.base_from_flange, presenting.poses(outline_u, outline_v), _clear(presenting, last, -1)[None]]
+    outline = np.concatenate(poses)
+    length = float(np.linalg.norm(np.diff(outline[:, :3, 3], axis=0), axis=1).sum())
+    path = RobotPath(outline, length / context.speed_mm_s, length)
+    points = sum(len(line.u) for line in lines)
+    purpose = f"to probe {points} points of the airfoil on grinder {presenting.grinder} (outline shown)"
     if not context.consent(path, purpose):
         raise Refused("robot", f"the motion was not wanted: {purpose}. Nothing has moved.")
 
 
-def _probe(context: Context, presenting: Presenting, u: Array, v: Array, *, readings: int) -> Array:
+def _probe_line(context: Context, presenting: Presenting, series: Series, line: Line, planned: int) -> None:
     robot, sensors = context.mover(), context.cell.grinders[presenting.grinder]
-    angles = np.full(len(u), np.nan)
-    for index, pose in enumerate(presenting.poses(u, v)):
+    is_check = line.kind == CHECK
+    number = planned - CHECK_LINES + line.slot if is_check else line.slot
+    name = f"check line {line.slot + 1} of {CHECK_LINES}" if is_check else (
+        f"probing line {line.slot + 1} of {planned - CHECK_LINES}"
+    )
+    angles = np.full(len(line.u), np.nan)
+    for index, pose in enumerate(presenting.poses(line.u, line.v)):
+        context.job.report((number + index / len(line.u)) / planned, name)
         robot.move_to(pose, speed_mm_s=context.speed_mm_s)
         found = []
-        for _ in range(readings):
+        for _ in range(CHECK_READINGS if is_check else 1):
             try:
                 found.append(sensors.read().angle_rad)
             except DeadlineExceeded:
@@ -144,36 +255,45 @@ def _probe(context: Context, presenting: Presenting, u: Array, v: Array, *, read
                 continue
         if found:
             angles[index] = np.median(found)
-    return angles
-
-
-def _keep(context: Context, grinder: str, kind: str, u: Array, v: Array, angles: Array) -> None:
     data = {
-        "grinder": grinder,
-        "u": u.tolist(),
-        "v": v.tolist(),
+        "slot": line.slot,
+        "series": series.marker.id,
+        "grinder": presenting.grinder,
+        "u": line.u.tolist(),
+        "v": line.v.tolist(),
         "angle_rad": [float(angle) if np.isfinite(angle) else None for angle in angles],
         "time_s": context.cell.clock.now_s(),
     }
-    context.session.add_sample("error_surface", kind, data)
+    _add(context, line.kind, data)
 
 
-def read(session: Session) -> ProbeSamples:
-    """The probed points as they were kept.
+def _add(context: Context, kind: str, data: dict[str, object]) -> Sample:
+    sample = context.session.add_sample(STEP, kind, data)
+    context.on_sample(sample)
+    return sample
+
+
+def read(session: Session, grinder: str) -> ProbeSamples:
+    """The points probed on a grinder in the latest clamping, as they were kept; lines that were left out are not there.
 
     Raises:
         InputError: there are none.
     """
-    grid, check = (_joined(session, kind) for kind in (LINE, CHECK))
-    first = session.kept("error_surface", LINE)[0]
-    grinder = first.data["grinder"]
-    return ProbeSamples(grinder, grid, check, head_rest.read(session, "error_surface").get(grinder, ()))
+    clamping = current_clamping(session)
+    series = None if clamping is None else clamping.series.get(grinder)
+    lines = [] if series is None else [sample for sample in series.lines.values() if sample.included]
+    if series is None or not lines:
+        raise InputError(f"No line of the airfoil has been probed on grinder {grinder}. Probe it first.")
+    checks = [sample for sample in series.checks.values() if sample.included]
+    rests = tuple(float(sample.data["angle_rad"]) for sample in series.rests)
+    return ProbeSamples(grinder, joined(lines), joined(checks), rests)
 
 
-def _joined(session: Session, kind: str) -> Probe:
-    samples = session.kept("error_surface", kind)
+def joined(samples: list[Sample]) -> Probe:
+    """The points of several lines in the order of their slots."""
+    ordered = sorted(samples, key=lambda sample: int(sample.data["slot"]))
     columns = {
-        key: np.array([value for sample in samples for value in sample.data[key]], dtype=float)
+        key: np.array([value for sample in ordered for value in sample.data[key]], dtype=float)
         for key in ("u", "v", "angle_rad")
     }
     return Probe(columns["u"], columns["v"], columns["angle_rad"])
