@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -138,8 +139,14 @@ class StageLimits:
     require_right_handed: bool = True
 
 
-def judge_stage(fit: StageFit, limits: StageLimits | None = None) -> Verdict:
-    """Judge a stage calibration; every reason says what to do."""
+def judge_stage(fit: StageFit, limits: StageLimits | None = None, names: Sequence[str] | None = None) -> Verdict:
+    """Judge a stage calibration; every reason says what to do.
+
+    Args:
+        fit: To judge.
+        limits: Its limits.
+        names: What a person calls each observation; None: their numbers, counted from 0.
+    """
     limits = limits or StageLimits()
     add = "Add scans of the ball at positions that differ more."
     repeat = "Check that the ball did not move and repeat the worst observation."
@@ -147,11 +154,11 @@ def judge_stage(fit: StageFit, limits: StageLimits | None = None) -> Verdict:
     known = np.flatnonzero(np.isfinite(fit.leave_one_out_mm))
     if known.size:
         worst = int(known[np.argmax(fit.leave_one_out_mm[known])])
-        what = f"The error of observation {worst} predicted from the others"
+        what = f"The error of {_called(worst, names)} predicted from the others"
         value = float(fit.leave_one_out_mm[worst])
         reasons += above(Code.HELD_OUT_ERROR, value, limits.max_leave_one_out_mm, what, repeat)
     if fit.outlier is not None:
-        what = f"The error of observation {fit.outlier}, which the others contradict,"
+        what = f"The error of {_called(fit.outlier, names)}, which the others contradict,"
         value = float(fit.leave_one_out_mm[fit.outlier])
         reasons += above(Code.HELD_OUT_ERROR, value, limits.max_outlier_mm, what, "Repeat it or leave it out.")
     if limits.require_right_handed and np.linalg.det(fit.axes) < 0.0:
@@ -181,3 +188,7 @@ def judge_stage(fit: StageFit, limits: StageLimits | None = None) -> Verdict:
     if not fit.converged:
         reasons.append(Reason(Code.NOT_CONVERGED, f"The stage fit was still moving after its iterations. {add}"))
     return Verdict.of(reasons)
+
+
+def _called(index: int, names: Sequence[str] | None) -> str:
+    return f"observation {index}" if names is None else f"'{names[index]}'"

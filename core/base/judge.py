@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,8 +41,14 @@ class BaseLimits:
     unchecked_observations: int = 1
 
 
-def judge_base(fit: BaseFit, limits: BaseLimits | None = None) -> Verdict:
-    """Judge residuals, held-out errors, uncertainty, conditioning and redundancy."""
+def judge_base(fit: BaseFit, limits: BaseLimits | None = None, names: Sequence[str] | None = None) -> Verdict:
+    """Judge residuals, held-out errors, uncertainty, conditioning and redundancy.
+
+    Args:
+        fit: To judge.
+        limits: Its limits.
+        names: What a person calls each observation; None: their numbers, counted from 0.
+    """
     use = limits or BaseLimits()
     reasons: list[Reason] = []
     if fit.different_poses < use.different_poses:
@@ -52,10 +59,10 @@ def judge_base(fit: BaseFit, limits: BaseLimits | None = None) -> Verdict:
                 "would show. Add poses with the flange tilted.",
             )
         )
-    worst = f"observation {fit.worst} (counted from 0)"
+    worst = _called(fit.worst, names)
     weak = f"Weakest: {fit.conditioning.description}. Add poses that tilt the flange more and about other axes."
     reasons += above(Code.HIGH_RESIDUAL, fit.rms_mm, use.rms_mm, "The RMS residual", f"Look at {worst} first.")
-    reasons += _judge_held_out(fit, use, worst)
+    reasons += _judge_held_out(fit, use, worst, names)
     sigma = float(np.sqrt(np.linalg.eigvalsh(fit.covariance.matrix[3:, 3:])[-1]))
     turn = float(np.sqrt(np.linalg.eigvalsh(fit.covariance.matrix[:3, :3])[-1]))
     ball = float(np.sqrt(np.linalg.eigvalsh(fit.ball_covariance_mm2)[-1]))
@@ -76,13 +83,15 @@ def judge_base(fit: BaseFit, limits: BaseLimits | None = None) -> Verdict:
     return Verdict.of(reasons)
 
 
-def _judge_held_out(fit: BaseFit, use: BaseLimits, worst: str) -> list[Reason]:
+def _judge_held_out(
+    fit: BaseFit, use: BaseLimits, worst: str, names: Sequence[str] | None
+) -> list[Reason]:
     alone = np.flatnonzero(fit.unchecked_directions)
     if len(alone) > use.unchecked_observations:
         return [
             Reason(
                 Code.NO_REDUNDANCY,
-                f"{len(alone)} observations (the first is {alone[0]}, counted from 0) are the only witnesses of "
+                f"{len(alone)} observations (the first is {_called(int(alone[0]), names)}) are the only witnesses of "
                 f"something; at most {use.unchecked_observations} may be. Add poses like them.",
             )
         ]
@@ -94,9 +103,13 @@ def _judge_held_out(fit: BaseFit, use: BaseLimits, worst: str) -> list[Reason]:
         held,
         float(fit.leave_one_out_mm[fit.outlier]),
         use.outlier_mm,
-        f"The held-out error of observation {fit.outlier} (counted from 0), which the others contradict,",
+        f"The held-out error of {_called(fit.outlier, names)}, which the others contradict,",
         "Repeat it or leave it out.",
     ) if fit.outlier is not None else []
     return odd + above(held, rms, use.leave_one_out_mm, "The RMS held-out error", advice) + above(
         held, float(errors.max()), use.worst_leave_one_out_mm, "The largest held-out error", advice
     )
+
+
+def _called(index: int, names: Sequence[str] | None) -> str:
+    return f"observation {index} (counted from 0)" if names is None else f"'{names[index]}'"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,18 +39,24 @@ class StylusLimits:
     rejected: int = 1
 
 
-def judge_stylus(fit: StylusFit, limits: StylusLimits | None = None) -> Verdict:
-    """Judge residuals, held-out errors, uncertainty, spread of orientations and redundancy."""
+def judge_stylus(fit: StylusFit, limits: StylusLimits | None = None, names: Sequence[str] | None = None) -> Verdict:
+    """Judge residuals, held-out errors, uncertainty, spread of orientations and redundancy.
+
+    Args:
+        fit: To judge.
+        limits: Its limits.
+        names: What a person calls each touch; None: their numbers, counted from 0.
+    """
     use = limits or StylusLimits()
-    worst = f"Look at touch {fit.worst} (counted from 0) first; repeat it or add touches."
+    worst = f"Look at {_called(fit.worst, names)} first; repeat it or add touches."
     weak = f"Weakest: {fit.conditioning.description}. Tilt the flange further and about other axes."
-    reasons = _too_few(fit, use)
+    reasons = _too_few(fit, use, names)
     reasons += above(Code.HIGH_RESIDUAL, fit.rms_mm, use.rms_mm, "The RMS residual", worst)
     errors = fit.leave_one_out_mm[fit.used & np.isfinite(fit.leave_one_out_mm)]
     largest = float(errors.max()) if len(errors) else 0.0
     reasons += above(Code.HELD_OUT_ERROR, largest, use.leave_one_out_mm, "The largest held-out error", worst)
     if fit.outlier is not None:
-        what = f"The held-out error of touch {fit.outlier} (counted from 0), which the others contradict,"
+        what = f"The held-out error of {_called(fit.outlier, names)}, which the others contradict,"
         odd = float(fit.leave_one_out_mm[fit.outlier])
         reasons += above(Code.HELD_OUT_ERROR, odd, use.outlier_mm, what, "Repeat it or leave it out.")
     sigma = float(np.sqrt(np.linalg.eigvalsh(fit.tip_covariance_mm2)[-1]))
@@ -67,7 +74,7 @@ def judge_stylus(fit: StylusFit, limits: StylusLimits | None = None) -> Verdict:
     return Verdict.of(reasons)
 
 
-def _too_few(fit: StylusFit, use: StylusLimits) -> list[Reason]:
+def _too_few(fit: StylusFit, use: StylusLimits, names: Sequence[str] | None) -> list[Reason]:
     reasons = []
     if fit.different_poses < use.different_poses:
         reasons.append(
@@ -82,8 +89,8 @@ def _too_few(fit: StylusFit, use: StylusLimits) -> list[Reason]:
         reasons.append(
             Reason(
                 Code.NO_REDUNDANCY,
-                f"Touch {alone[0]} (counted from 0) is the only witness of something, so a mistake in it would not "
-                "show. Add touches like it.",
+                f"Only {_called(int(alone[0]), names)} is a witness of something, so a mistake in it would not show. "
+                "Add touches like it.",
             )
         )
     rejected = int(np.count_nonzero(~fit.used))
@@ -131,8 +138,14 @@ class WheelLimits:
     expected_axis_in_base: tuple[float, float, float] | None = None
 
 
-def judge_wheel(fit: WheelFit, limits: WheelLimits | None = None) -> Verdict:
-    """Judge residuals, held-out errors, uncertainty, and the given radius and sensor against the data."""
+def judge_wheel(fit: WheelFit, limits: WheelLimits | None = None, names: Sequence[str] | None = None) -> Verdict:
+    """Judge residuals, held-out errors, uncertainty, and the given radius and sensor against the data.
+
+    Args:
+        fit: To judge.
+        limits: Its limits.
+        names: What a person calls each touch; None: their numbers, counted from 0.
+    """
     use = limits or WheelLimits()
     reasons: list[Reason] = []
     if fit.different_touches < use.different_touches:
@@ -143,13 +156,13 @@ def judge_wheel(fit: WheelFit, limits: WheelLimits | None = None) -> Verdict:
                 "so that a mistake would show. Touch the shaft at more head angles.",
             )
         )
-    reasons += _judge_wheel_residuals(fit, use)
+    reasons += _judge_wheel_residuals(fit, use, names)
     reasons += _judge_wheel_uncertainty(fit, use)
     reasons += _judge_wheel_model(fit, use)
     return Verdict.of(reasons)
 
 
-def _judge_wheel_residuals(fit: WheelFit, use: WheelLimits) -> list[Reason]:
+def _judge_wheel_residuals(fit: WheelFit, use: WheelLimits, names: Sequence[str] | None) -> list[Reason]:
     reasons = above(
         Code.HIGH_RESIDUAL,
         fit.rms_mm,
@@ -167,7 +180,7 @@ def _judge_wheel_residuals(fit: WheelFit, use: WheelLimits) -> list[Reason]:
     distance = float(fit.leave_one_out_mm[checked].max())
     turn = float(np.degrees(np.abs(fit.leave_one_out_rad[checked]).max()))
     held = Code.HELD_OUT_ERROR
-    advice = f"Look at touch {fit.worst} (counted from 0) and its angle first; repeat it or add touches."
+    advice = f"Look at {_called(fit.worst, names)} and its angle first; repeat it or add touches."
     reasons += above(held, distance, use.leave_one_out_mm, "The largest held-out distance", advice)
     limit = float(np.degrees(use.leave_one_out_rad))
     return reasons + above(held, turn, limit, "The largest held-out angle error", advice, "deg")
@@ -218,3 +231,7 @@ def _judge_wheel_model(fit: WheelFit, use: WheelLimits) -> list[Reason]:
             )
         )
     return reasons
+
+
+def _called(index: int, names: Sequence[str] | None) -> str:
+    return f"touch {index} (counted from 0)" if names is None else f"'{names[index]}'"

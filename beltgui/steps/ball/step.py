@@ -96,7 +96,7 @@ def solve(bench: Bench, job: Job) -> BallOutcome:
         *missing_reasons(scans, [pose.name for pose in bench.plan.stage_step]),
         *back.reasons(),
         *judge_scans(scans),
-        *judge_stage(stage, StageLimits()).reasons,
+        *judge_stage(stage, StageLimits(), [scan.name for scan in fitted]).reasons,
         *held_out.reasons("The ball or the scanner may have moved between the scans: fasten both, scan again."),
     ]
     return BallOutcome(scans, tuple(fitted), stage, misses, held_out, back, Verdict.of(reasons))

@@ -104,7 +104,7 @@ def solve(bench: Bench, job: Job) -> BaseOutcome:
         *missing_reasons(scans, [pose.name for pose in bench.plan.base_step]),
         *back.reasons(),
         *judge_scans(scans),
-        *judge_base(fit, BaseLimits()).reasons,
+        *judge_base(fit, BaseLimits(), [scan.name for scan in fitted]).reasons,
         *held_out.reasons("The ball may have moved on the flange, or the robot's mastering is off: check both."),
     ]
     return BaseOutcome(scans, tuple(fitted), fit, balls, misses, held_out, back, Verdict.of(reasons))

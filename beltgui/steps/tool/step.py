@@ -78,7 +78,7 @@ class _Wheel:
 
     def reasons(self) -> list[Reason]:
         return [
-            *judge_wheel(self.fit, WheelLimits()).reasons,
+            *judge_wheel(self.fit, WheelLimits(), [touch.name for touch in self.fitted]).reasons,
             *self.held_out.reasons("Touch the centre mark again; see that the head was held still."),
         ]
 
@@ -112,7 +112,7 @@ def solve(bench: Bench, job: Job) -> ToolOutcome:
         found += [Reason(reason.code, f"Grinder {name}: {reason.message}") for reason in reasons]
     verdict = Verdict.of([
         *_missing_reasons(missing(touches, bench.plan), bench.plan),
-        *judge_stylus(stylus, StylusLimits()).reasons,
+        *judge_stylus(stylus, StylusLimits(), [touch.name for touch in fitted]).reasons,
         *cone_held_out.reasons("Touch the cone again, pressing lightly, and see that the stylus sits tight."),
         *found,
         *_rest_reasons(touches),
