@@ -1,0 +1,288 @@
+"""The 3D view: shows scenes, the planned motion and the robot; reports clicks on points and faces.
+
+The picture is drawn off-screen by a process of its own and painted by Qt, the same on every platform, with or without a
+screen: the window's event loop never waits for the graphics, and a fault of a graphics driver does not end the program.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QElapsedTimer, QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QImage, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+
+from beltgui.app.theme import theme
+from beltgui.viewmodel.scene import Item, Scene
+from beltgui.widgets.scene_view_canvas import Canvas
+from beltgui.widgets.scene_view_link import LocalDrawer, ProcessDrawer
+from beltgui.widgets.scene_view_motion import motion_items, motion_scene, robot_items
+from beltgui.widgets.scene_view_overlay import Pin
+from beltgui.widgets.scene_view_pick import Hit
+
+Array = NDArray[np.float64]
+
+PICK_MODES = ("none", "point", "face")
+# A drawing process that is lost sooner than this after its start is not started again by itself.
+LIFE_MS = 10_000
+# The robot's live mark moves on the screen when the flange has moved this far (mm, and entries of the rotation).
+SEEN_MM, SEEN_TURN = 0.05, 1e-3
+
+
+class SceneView(QWidget):
+    """A 3D view; one for each window.
+
+    Left drag turns, right or middle drag (or Shift and left) moves, the wheel zooms, a double click fits; with the
+    keyboard F, 1 to 4, the arrows, + and -. A click picks what the mode says. Nothing is drawn before `prepare`;
+    what was shown before is drawn then.
+
+    Args:
+        parent: Of the widget.
+        own_process: Draw in a process of its own; False draws within this one, which is slower for the window and
+            quicker to start: for tests.
+
+    Signals:
+        picked_point: (name of the item, (3,) mm in that scene's frame, True for the second scene).
+        picked_face: Id of the CAD face.
+        picture_shown: A new picture is on the screen.
+    """
+
+    picked_point = Signal(str, object, bool)
+    picked_face = Signal(int)
+    picture_shown = Signal()
+
+    def __init__(self, parent: QWidget | None = None, *, own_process: bool = True) -> None:
+        super().__init__(parent)
+        self._own_process = own_process
+        self._drawer: ProcessDrawer | LocalDrawer | None = None
+        self._started = QElapsedTimer()
+        self._closed = False
+        self._scene: Scene | None = None
+        self._second: Scene | None = None
+        self._path: Array | None = None
+        self._robot: Array | None = None
+        self._motion_items: tuple[Item, ...] = ()
+        self._motion_scene: Scene | None = None
+        self._extras: tuple[Item, ...] = ()
+        self._pins: tuple[tuple[Pin, ...], tuple[Pin, ...]] = ((), ())
+        self.setObjectName("scene_view")
+        self.canvas = Canvas(self)
+        self.canvas.setObjectName("scene_canvas")
+        self.canvas.clicked_on.connect(self._clicked)
+        self.canvas.picture_shown.connect(self.picture_shown)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.canvas)
+        self._build_buttons()
+        self._write()
+        theme().changed.connect(self._theme_changed)
+
+    # --- what it offers
+
+    def prepare(self) -> None:
+        """Begin to draw; returns at once, the first picture comes when the graphics are there."""
+        if self._drawer is not None or self._closed:
+            return
+        self._started.start()
+        self._drawer = ProcessDrawer() if self._own_process else LocalDrawer()
+        self._drawer.lost.connect(self._lost)
+        self.destroyed.connect(self._drawer.stop)  # whoever forgets to shut down does not leave a process
+        self.canvas.set_drawer(self._drawer)
+        self._write()
+
+    def show_scene(self, scene: Scene | None, second: Scene | None = None) -> None:
+        """Show a scene, or two side by side; None shows nothing."""
+        self._scene, self._second = scene, second
+        self._lay_out()
+
+    def show_motion(self, path: Array | None) -> None:
+        """Show a planned motion, (n, 4, 4) base_from_flange, or take it away.
+
+        In a scene of the robot's base it is drawn into the scene, otherwise beside it in one of its own.
+        """
+        self._path = None if path is None else np.asarray(path, dtype=float).reshape(-1, 4, 4)
+        self._motion_items = () if self._path is None or not len(self._path) else motion_items(self._path)
+        if self._path is None:
+            self._motion_scene = None
+        elif self._motion_scene is None:
+            self._motion_scene = motion_scene()
+        self._renew_extras()
+
+    def show_robot(self, base_from_flange: Array | None) -> None:
+        """Show where the flange is now, (4, 4), wherever a scene of the robot's base is shown; None: not known."""
+        if base_from_flange is not None and self._robot is not None:
+            change = np.abs(np.asarray(base_from_flange, dtype=float) - self._robot)
+            if change[:3, 3].max() < SEEN_MM and change[:3, :3].max() < SEEN_TURN:
+                return
+        elif base_from_flange is None and self._robot is None:
+            return
+        self._robot = None if base_from_flange is None else np.array(base_from_flange, dtype=float)
+        self._renew_extras()
+
+    def show_picks(self, first: tuple[Pin, ...] = (), second: tuple[Pin, ...] = ()) -> None:
+        """Mark picked places in the first and in the second scene with named rings."""
+        self._pins = (first, second)
+        self._lay_out_pins()
+
+    def set_pick_mode(self, mode: str) -> None:
+        """What a click picks: `none`, `point` or `face`.
+
+        Raises:
+            ValueError: there is no such mode.
+        """
+        if mode not in PICK_MODES:
+            raise ValueError(f"pick mode '{mode}': expected one of {', '.join(PICK_MODES)}.")
+        self.canvas.pick_mode = mode
+        for pane in self.canvas.panes:
+            pane.hover_at = pane.hover_face = None
+        self.canvas.redraw()
+
+    def look(self, direction: str) -> None:
+        """`fit`, `front`, `side`, `top` or `oblique`."""
+        self.canvas.look(direction)
+
+    def screenshot(self) -> QImage:
+        """What is seen, with all that is written over it."""
+        return self.canvas.grab().toImage()
+
+    def shut_down(self) -> None:
+        """End the drawing; must be called before the widget goes, and may be called twice."""
+        if self._closed:
+            return
+        self._closed = True
+        theme().changed.disconnect(self._theme_changed)
+        self.canvas.shut_down()
+        if self._drawer is not None:
+            self._drawer.stop()
+
+    @property
+    def drawing_pid(self) -> int | None:
+        """Of the drawing process, where there is one."""
+        return self._drawer.pid if isinstance(self._drawer, ProcessDrawer) else None
+
+    # --- within
+
+    def _lay_out(self) -> None:
+        wanted: list[tuple[Scene, tuple[Item, ...]]] = []
+        if self._scene is not None:
+            wanted.append((self._scene, self._extras if self._scene.frame == "B" else ()))
+        beside = self._motion_scene if self._scene is None or self._scene.frame != "B" else None
+        if beside is not None:
+            wanted.append((beside, self._extras))
+        elif self._second is not None:
+            wanted.append((self._second, self._extras if self._second.frame == "B" else ()))
+        self.canvas.set_panes(wanted)
+        self._lay_out_pins()
+        titles = " | ".join(scene.title for scene, _ in wanted)
+        self.canvas.setAccessibleDescription(titles)
+        self._write()
+
+    def _lay_out_pins(self) -> None:
+        for pane in self.canvas.panes:
+            pane.pins = self._pins[0] if pane.scene is self._scene else ()
+            if pane.scene is self._second:
+                pane.pins = self._pins[1]
+        self.canvas.update()
+
+    def _renew_extras(self) -> None:
+        robot = () if self._robot is None else robot_items(self._robot)
+        self._extras = (*self._motion_items, *robot)
+        self._lay_out()
+
+    def _clicked(self, hit: Hit, number: int) -> None:
+        shown = self.canvas.panes[number].scene
+        if shown is self._motion_scene:
+            return
+        second = shown is self._second
+        if self.canvas.pick_mode == "face" and hit.face_id is not None:
+            self.picked_face.emit(hit.face_id)
+        elif self.canvas.pick_mode == "point":
+            self.picked_point.emit(hit.item, hit.xyz, second)
+
+    def _lost(self) -> None:
+        """The drawing process has ended by itself: begin again once, then leave it to the person."""
+        lived = self._started.elapsed()
+        if self._drawer is None or self._closed:
+            return
+        self._drawer.stop()
+        self._drawer = None
+        self.canvas.set_drawer(None)
+        if lived > LIFE_MS:
+            self.prepare()
+        self._restart.setVisible(self._drawer is None)
+        self._write()
+
+    def _build_buttons(self) -> None:
+        self._bar = QWidget(self.canvas)
+        row = QHBoxLayout(self._bar)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        self._buttons = {name: QToolButton(self._bar) for name in ("fit", "front", "side", "top", "oblique")}
+        for name, button in self._buttons.items():
+            button.setObjectName(f"scene_{name}")
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.clicked.connect(lambda _=False, name=name: self.look(name))
+            row.addWidget(button)
+        self._restart = QToolButton(self._bar)
+        self._restart.setObjectName("scene_restart")
+        self._restart.clicked.connect(self._start_again)
+        self._restart.hide()
+        row.addWidget(self._restart)
+
+    def _start_again(self) -> None:
+        self._restart.hide()
+        self.prepare()
+
+    def _write(self) -> None:
+        texts = {
+            "fit": (self.tr("Fit"), self.tr("Everything into the picture (F, or a double click)")),
+            "front": (self.tr("Front"), self.tr("Along +y: x to the right, z up (1)")),
+            "side": (self.tr("Side"), self.tr("Along −x: y to the right, z up (2)")),
+            "top": (self.tr("Top"), self.tr("Along −z: x to the right, y up (3)")),
+            "oblique": (self.tr("Oblique"), self.tr("From the front, right and above (4)")),
+        }
+        for name, (text, tip) in texts.items():
+            self._buttons[name].setText(text)
+            self._buttons[name].setToolTip(tip)
+            self._buttons[name].setAccessibleName(text)
+        self._restart.setText(self.tr("Start the 3D view again"))
+        self._restart.setAccessibleName(self._restart.text())
+        self.canvas.setAccessibleName(self.tr("3D view"))
+        if self._closed:
+            notice = ""
+        elif self._drawer is None and self._started.isValid():
+            notice = self.tr("The 3D view has stopped. Nothing else is affected.")
+        elif self._scene is None and self._motion_scene is None:
+            notice = self.tr("Nothing to show yet.")
+        else:
+            notice = self.tr("The 3D view is being prepared.")
+        self.canvas.notice = notice
+        self._place_buttons()
+
+    def _place_buttons(self) -> None:
+        size: QSize = self._bar.sizeHint()
+        self._bar.resize(size)
+        self._bar.move(self.width() - size.width() - 8, self.height() - size.height() - 8)
+        self.canvas.keep_free = size.height() + 16.0
+        self.canvas.update()
+
+    def _theme_changed(self) -> None:
+        self._place_buttons()
+        self.canvas.redraw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  (Qt's name)
+        """Keep the buttons in their corner."""
+        super().resizeEvent(event)
+        self._place_buttons()
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802  (Qt's name)
+        """Closed as a window of its own."""
+        self.shut_down()
+        super().closeEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  (Qt's name)
+        """Write again in another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._write()
+            self._place_buttons()
+        super().changeEvent(event)

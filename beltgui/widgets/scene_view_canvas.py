@@ -1,0 +1,447 @@
+"""The picture and the hand on it: keeps the cameras, asks for pictures, turns, moves, zooms, picks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QElapsedTimer, QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from beltgui.app.language import sentence
+from beltgui.app.theme import colour
+from beltgui.viewmodel.scene import Arrow, Frame, Item, Label, Lines, Mesh, Points, Role, Scene
+from beltgui.widgets.scene_draw import BACKGROUND, Request, ViewRequest, split
+from beltgui.widgets.scene_view_camera import ANGLE_RAD, DIRECTIONS, Camera
+from beltgui.widgets.scene_view_link import LocalDrawer, Picture, ProcessDrawer
+from beltgui.widgets.scene_view_overlay import Overlay, Pin, paint
+from beltgui.widgets.scene_view_pick import Hit, pick
+
+# Requests are held together for so long, so that several changes at once make one picture.
+GATHER_MS = 12
+# While the hand turns the scene, a picture that takes longer than this is drawn at half the density.
+SLOW_S = 0.045
+REST_MS = 180
+HOVER_MS = 40
+TURN_RAD_PER_PX = 0.009
+KEY_TURN_RAD = np.deg2rad(10.0)
+ZOOM_STEP = 1.2
+OUTLINE_POINTS = 3000
+VIEW_KEYS = {
+    Qt.Key.Key_F: "fit", Qt.Key.Key_1: "front", Qt.Key.Key_2: "side", Qt.Key.Key_3: "top", Qt.Key.Key_4: "oblique",
+}  # fmt: skip
+TURN_KEYS = {
+    Qt.Key.Key_Left: (-1.0, 0.0), Qt.Key.Key_Right: (1.0, 0.0), Qt.Key.Key_Up: (0.0, -1.0), Qt.Key.Key_Down: (0.0, 1.0),
+}  # fmt: skip
+
+
+@dataclass(eq=False)
+class Pane:
+    """One viewport: what it shows and how it is looked at."""
+
+    scene: Scene
+    extras: tuple[Item, ...] = ()
+    camera: Camera = field(default_factory=Camera.looking)
+    drawn_with: Camera | None = None
+    untouched: bool = True
+    box: NDArray[np.float64] | None = None
+    items_sent: bool = False
+    extras_sent: bool = False
+    hover_face: int | None = None
+    hover_at: QPointF | None = None
+    pins: tuple[Pin, ...] = ()
+
+
+class Canvas(QWidget):
+    """Paints what a drawer draws; see `SceneView` for what it offers.
+
+    Signals:
+        clicked_on: (`Hit`, number of the viewport).
+        picture_shown: A new picture is on the screen.
+    """
+
+    clicked_on = Signal(object, int)
+    picture_shown = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.panes: list[Pane] = []
+        self.pick_mode = "none"
+        self.keep_free = 0.0
+        self.notice = ""
+        self.seconds = 0.0
+        self._drawer: ProcessDrawer | LocalDrawer | None = None
+        self._picture = QImage()
+        self._pixels: NDArray[np.uint8] | None = None
+        self._asked: list[tuple[Pane, Camera]] = []
+        self._in_flight = False
+        self._dirty = False
+        self._interacting = False
+        self._words: dict[str, str] = {}
+        self._pressed: QPointF | None = None
+        self._last = QPointF()
+        self._dragging = False
+        self._held: Pane | None = None
+        self._hovered = QElapsedTimer()
+        self._gather = QTimer(self, singleShot=True, interval=GATHER_MS)
+        self._gather.timeout.connect(self._ask)
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest.timeout.connect(self._at_rest)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(160, 120)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    # --- what is shown
+
+    def set_drawer(self, drawer: ProcessDrawer | LocalDrawer | None) -> None:
+        """Draw with this one from now on; everything is sent to it anew."""
+        self._drawer = drawer
+        self._in_flight = False
+        self._picture = QImage()
+        for pane in self.panes:
+            pane.items_sent = pane.extras_sent = False
+        if drawer is not None:
+            drawer.drawn.connect(self._take)
+            self.redraw()
+
+    def set_panes(self, wanted: list[tuple[Scene, tuple[Item, ...]]]) -> None:
+        """Show these scenes, each with its layer of extras, side by side."""
+        kept = self.panes if len(wanted) == len(self.panes) else self.panes[: len(wanted)]
+        if len(wanted) != len(self.panes):
+            for pane in kept:
+                pane.box = None  # the viewport has another shape now
+        panes = []
+        for number, (scene, extras) in enumerate(wanted):
+            pane = kept[number] if number < len(kept) else Pane(scene)
+            if pane.scene is not scene:
+                anew = pane.scene.view != scene.view or pane.scene.frame != scene.frame
+                pane.scene, pane.items_sent, pane.hover_face, pane.hover_at = scene, False, None, None
+                if anew:
+                    pane.untouched, pane.box = True, None
+            if pane.extras is not extras:
+                pane.extras, pane.extras_sent = extras, False
+            panes.append(pane)
+        self.panes = panes
+        for pane in panes:
+            self._fit_if_untouched(pane)
+        self.redraw()
+
+    def look(self, direction: str) -> None:
+        """Look at everything: `fit` keeps the direction, the others are those of the camera."""
+        for pane in self.panes:
+            if direction != "fit":
+                pane.camera = Camera(pane.camera.target, pane.camera.distance, DIRECTIONS[direction])
+            pane.untouched, pane.box = True, None
+            self._fit_if_untouched(pane)
+        self.redraw()
+
+    def forget_words(self) -> None:
+        """The language has changed."""
+        self._words.clear()
+        self.update()
+
+    def redraw(self) -> None:
+        """Ask for a new picture soon."""
+        self._dirty = True
+        if not self._in_flight and not self._gather.isActive():
+            self._gather.start()
+        self.update()
+
+    def shut_down(self) -> None:
+        """No more pictures."""
+        self._gather.stop()
+        self._rest.stop()
+        self._drawer = None
+
+    def rects(self) -> list[QRectF]:
+        """Of the viewports, logical pixels."""
+        edges = split(self.width(), max(len(self.panes), 1))
+        return [QRectF(begin, 0.0, end - begin, self.height()) for begin, end in edges]
+
+    def _fit_if_untouched(self, pane: Pane) -> None:
+        """Fit at the first sight, and when the scene has outgrown the picture that the person has not changed."""
+        if not pane.untouched:
+            return
+        outline = outline_of((*pane.scene.items, *pane.extras))
+        if not len(outline):
+            return
+        box = np.stack([outline.min(axis=0), outline.max(axis=0)])
+        if pane.box is not None:
+            size = float(np.linalg.norm(pane.box[1] - pane.box[0])) or 1.0
+            outgrown = max(float((pane.box[0] - box[0]).max()), float((box[1] - pane.box[1]).max())) > 0.02 * size
+            shrunk = float(np.linalg.norm(box[1] - box[0])) < 0.5 * size
+            if not (outgrown or shrunk):
+                return
+        elif pane.scene.view.split()[-1:] and pane.scene.view.split()[-1] in DIRECTIONS:
+            pane.camera = Camera.looking(pane.scene.view.split()[-1])
+        pane.box = box
+        rect = self.rects()[self.panes.index(pane)]
+        pane.camera = pane.camera.fitted(outline, rect.width() / max(rect.height(), 1.0))
+
+    # --- pictures
+
+    def _ask(self) -> None:
+        if self._drawer is None or self._in_flight or not self.panes or not self.isVisible():
+            return
+        ratio = self.devicePixelRatioF()
+        if self._interacting and self.seconds > SLOW_S:
+            ratio *= 0.5
+        width, height = max(round(self.width() * ratio), 16), max(round(self.height() * ratio), 16)
+        views = []
+        for pane in self.panes:
+            views.append(
+                ViewRequest(
+                    pane.camera.position,
+                    pane.camera.target,
+                    pane.camera.rotation[1],
+                    float(np.rad2deg(ANGLE_RAD)),
+                    None if pane.items_sent else pane.scene.items,
+                    None if pane.extras_sent else pane.extras,
+                    pane.hover_face,
+                )
+            )
+            pane.items_sent = pane.extras_sent = True
+        self._asked = [(pane, pane.camera) for pane in self.panes]
+        self._dirty, self._in_flight = False, True
+        palette = {str(role): colour(role) for role in Role} | {BACKGROUND: colour(BACKGROUND)}
+        self._drawer.submit(Request(width, height, ratio, tuple(views), palette))
+
+    def _take(self, picture: Picture) -> None:
+        self._in_flight = False
+        height, width, _ = picture.pixels.shape
+        self._pixels = picture.pixels  # the image reads from it
+        self._picture = QImage(picture.pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+        self.seconds = picture.seconds
+        for pane, camera in self._asked:
+            pane.drawn_with = camera
+        self.update()
+        if self._dirty:
+            self._gather.start()
+        self.picture_shown.emit()
+
+    def _at_rest(self) -> None:
+        self._interacting = False
+        self.redraw()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802  (Qt's name)
+        """The picture, and what is written over it."""
+        painter = QPainter(self)
+        if self._picture.isNull() or not self.panes:
+            painter.fillRect(self.rect(), QColor(colour(BACKGROUND)))
+            painter.setPen(QColor(colour("muted")))
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.notice)
+            return
+        if self._picture.size() == self.size() * self.devicePixelRatioF():
+            self._picture.setDevicePixelRatio(self.devicePixelRatioF())
+            painter.drawImage(QPoint(0, 0), self._picture)
+        else:
+            self._picture.setDevicePixelRatio(1.0)
+            painter.drawImage(QRectF(self.rect()), self._picture)
+        rects = self.rects()
+        for number, (pane, rect) in enumerate(zip(self.panes, rects, strict=True)):
+            free = self.keep_free if number == len(rects) - 1 else 0.0
+            camera = pane.drawn_with or pane.camera
+            paint(painter, Overlay(pane.scene, pane.extras, camera, rect, self._word, pane.pins, pane.hover_at, free))
+        painter.setPen(QColor(colour("line")))
+        for rect in rects[1:]:
+            painter.drawLine(rect.topLeft(), rect.bottomLeft())
+        if self.hasFocus():
+            painter.setPen(QColor(colour("accent")))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def _word(self, text: str) -> str:
+        if text not in self._words:
+            if len(self._words) > 500:
+                self._words.clear()
+            self._words[text] = sentence(text)
+        return self._words[text]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  (Qt's name)
+        """A picture of the new size."""
+        super().resizeEvent(event)
+        for pane in self.panes:
+            if pane.untouched:
+                pane.box = None
+                self._fit_if_untouched(pane)
+        self.redraw()
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  (Qt's name)
+        """What was held back while nobody looked is drawn now."""
+        super().showEvent(event)
+        self.redraw()
+
+    # --- the hand
+
+    def hit(self, at: QPointF) -> tuple[Hit | None, int]:
+        """What a click at a place of this widget picks, and in which viewport."""
+        number = self._number_at(at)
+        pane, rect = self.panes[number], self.rects()[number]
+        camera = pane.drawn_with or pane.camera
+        local = at - rect.topLeft()
+        found = pick(pane.scene, camera, local.x(), local.y(), rect.width(), rect.height(), self.pick_mode)
+        return found, number
+
+    def _number_at(self, at: QPointF) -> int:
+        return next((number for number, rect in enumerate(self.rects()) if at.x() < rect.right()), len(self.panes) - 1)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802  (Qt's name)
+        """A click or a drag begins."""
+        if self.panes:
+            self._pressed = self._last = event.position()
+            self._dragging = False
+            self._held = self.panes[self._number_at(event.position())]
+            self._hover(None)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802  (Qt's name)
+        """Turn (left), move (right, middle, or left with Shift); without a button show what a click would pick."""
+        here = event.position()
+        if self._pressed is None or self._held not in self.panes:
+            self._hover(here)
+            return
+        if not self._dragging:
+            far = (here - self._pressed).manhattanLength() >= QGuiApplication.styleHints().startDragDistance()
+            if not far:
+                return
+            self._dragging = True
+        step = here - self._last
+        self._last = here
+        pane = self._held
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if event.buttons() & Qt.MouseButton.LeftButton and not shift:
+            pane.camera = pane.camera.turned(step.x() * TURN_RAD_PER_PX, step.y() * TURN_RAD_PER_PX)
+        else:
+            pane.camera = pane.camera.moved(step.x(), step.y(), self.height())
+        self._touched(pane)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802  (Qt's name)
+        """The end of a drag, or a click that picks."""
+        clicked = self._pressed is not None and not self._dragging and event.button() == Qt.MouseButton.LeftButton
+        self._pressed, self._held = None, None
+        if clicked and self.pick_mode != "none" and self.panes:
+            found, number = self.hit(event.position())
+            if found is not None:
+                self.clicked_on.emit(found, number)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802  (Qt's name)
+        """Everything into the picture again, where clicks mean nothing else."""
+        if self.pick_mode == "none":
+            self.look("fit")
+
+    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802  (Qt's name)
+        """Nearer or farther, about what is under the pointer."""
+        turns = event.angleDelta().y() / 120.0
+        if not self.panes or not turns:
+            return
+        number = self._number_at(event.position())
+        pane, rect = self.panes[number], self.rects()[number]
+        local = event.position() - rect.topLeft()
+        pane.camera = pane.camera.zoomed(ZOOM_STEP**turns, local.x(), local.y(), rect.width(), rect.height())
+        self._touched(pane)
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802  (Qt's name)
+        """F fits, 1 to 4 are the views, the arrows turn, + and - zoom."""
+        key = event.key()
+        allowed = Qt.KeyboardModifier.KeypadModifier | Qt.KeyboardModifier.ShiftModifier
+        if not self.panes or event.modifiers() & ~allowed:
+            super().keyPressEvent(event)
+        elif key in VIEW_KEYS:
+            self.look(VIEW_KEYS[key])
+        elif key in TURN_KEYS:
+            right, up = TURN_KEYS[key]
+            for pane in self.panes:
+                pane.camera = pane.camera.turned(right * KEY_TURN_RAD, up * KEY_TURN_RAD)
+                self._touched(pane)
+        elif key in (Qt.Key.Key_Plus, Qt.Key.Key_Equal, Qt.Key.Key_Minus):
+            factor = 1.0 / ZOOM_STEP if key == Qt.Key.Key_Minus else ZOOM_STEP
+            for pane in self.panes:
+                pane.camera = pane.camera.zoomed(factor, 0.0, 0.0, 0.0, 0.0)
+                self._touched(pane)
+        else:
+            super().keyPressEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:  # noqa: N802  (Qt's name)
+        """Nothing is under the pointer any more."""
+        super().leaveEvent(event)
+        self._hover(None)
+
+    def _touched(self, pane: Pane) -> None:
+        pane.untouched = False
+        self._interacting = True
+        self._rest.start()
+        self.redraw()
+
+    def _hover(self, at: QPointF | None) -> None:
+        if self.pick_mode == "none" or not self.panes:
+            return
+        if at is not None and self._hovered.isValid() and self._hovered.elapsed() < HOVER_MS:
+            return
+        self._hovered.start()
+        found, number = (None, -1) if at is None else self.hit(at)
+        for place, pane in enumerate(self.panes):
+            hit = found if place == number else None
+            face = hit.face_id if hit is not None and self.pick_mode == "face" else None
+            pane.hover_at = None
+            if hit is not None and self.pick_mode == "point":
+                rect = self.rects()[place]
+                camera = pane.drawn_with or pane.camera
+                pixel, _ = camera.project(hit.xyz, rect.width(), rect.height())
+                pane.hover_at = QPointF(*pixel[0])
+            if face != pane.hover_face:
+                pane.hover_face = face
+                self.redraw()
+        self.setCursor(Qt.CursorShape.CrossCursor if found is not None else Qt.CursorShape.ArrowCursor)
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  (Qt's name)
+        """Texts of another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self.forget_words()
+        super().changeEvent(event)
+
+
+def outline_of(items: tuple[Item, ...]) -> NDArray[np.float64]:
+    """(N, 3) points that tell where the items are; few of each, finite."""
+    found: list[NDArray[np.floating]] = []
+    for item in items:
+        if isinstance(item, Points):
+            found.append(_few(item.xyz))
+        elif isinstance(item, Mesh):
+            found.append(_few(item.vertices))
+        elif isinstance(item, Lines):
+            found.extend(_few(line) for line in item.polylines)
+        elif isinstance(item, Arrow):
+            found.append(np.stack([item.start, np.asarray(item.start) + item.vector]))
+        elif isinstance(item, Frame):
+            pose = np.asarray(item.scene_from_frame)
+            found.append(np.vstack([pose[:3, 3], pose[:3, 3] + item.length_mm * pose[:3, :3].T]))
+        elif isinstance(item, Label):
+            found.append(np.asarray(item.at).reshape(1, 3))
+    if not found:
+        return np.zeros((0, 3))
+    outline = np.concatenate([np.asarray(points, dtype=float).reshape(-1, 3) for points in found])
+    return outline[np.isfinite(outline).all(axis=1)]
+
+
+def _few(points: NDArray[np.floating]) -> NDArray[np.floating]:
+    """At most about `OUTLINE_POINTS`, with the outermost along each axis among them."""
+    points = np.asarray(points).reshape(-1, 3)
+    if len(points) <= OUTLINE_POINTS:
+        return points
+    ends = np.concatenate([np.nanargmin(points, axis=0), np.nanargmax(points, axis=0)])
+    return np.vstack([points[:: len(points) // OUTLINE_POINTS + 1], points[ends]])

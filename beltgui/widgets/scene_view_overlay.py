@@ -1,0 +1,226 @@
+"""What is written over the picture: title, legend, colour bar, names, axes, scale.
+
+Painted by Qt, so that every language and every screen density comes out crisp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
+
+from beltgui.app.theme import colour
+from beltgui.viewmodel.scene import Arrow, Frame, Item, Label, Mesh, Points, Role, Scale, Scene
+from beltgui.widgets.scene_draw_colours import TABLES
+from beltgui.widgets.scene_view_camera import Camera
+
+# An item whose name begins so is drawn but its name is not written.
+UNWRITTEN = "~"
+MOST_LABELS = 80
+BAR_TICKS = 5
+AXES = ((Role.X, "x"), (Role.Y, "y"), (Role.Z, "z"))
+
+
+@dataclass(frozen=True, eq=False)
+class Pin:
+    """A picked place, shown as a ring with a name: `at` (3,) mm in the scene's frame."""
+
+    at: np.ndarray
+    name: str
+    role: Role = Role.CHOSEN
+
+
+@dataclass(frozen=True, eq=False)
+class Overlay:
+    """What is to be written over one viewport.
+
+    Attributes:
+        scene: What the viewport shows.
+        extras: Items beyond the scene's own.
+        camera: The one that the picture was drawn with.
+        rect: Of the viewport, logical pixels.
+        words: A text in the language of the screen.
+        pins: Picked places.
+        hover: Pixel of what a click would pick; None without.
+        keep_free: Height at the lower right that belongs to buttons.
+    """
+
+    scene: Scene
+    extras: tuple[Item, ...]
+    camera: Camera
+    rect: QRectF
+    words: Callable[[str], str]
+    pins: Sequence[Pin] = ()
+    hover: QPointF | None = None
+    keep_free: float = 0.0
+    placed: list[QRectF] = field(default_factory=list)
+
+
+def paint(painter: QPainter, overlay: Overlay) -> None:
+    """Write all of it."""
+    painter.save()
+    painter.setClipRect(overlay.rect)
+    painter.translate(overlay.rect.topLeft())
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    _title_and_legend(painter, overlay)
+    _bars(painter, overlay)
+    _axes_and_scale(painter, overlay)
+    _names(painter, overlay)
+    _pins(painter, overlay)
+    if overlay.hover is not None:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(colour(Role.SUGGESTION)), 2.0))
+        painter.drawEllipse(overlay.hover, 7.0, 7.0)
+    painter.restore()
+
+
+def written(painter: QPainter, at: QPointF, text: str, shade: str, font: QFont | None = None) -> None:
+    """Text with its baseline at a place, with a rim in the background's colour so that it reads on everything."""
+    path = QPainterPath()
+    path.addText(at, font or painter.font(), text)
+    painter.strokePath(path, QPen(QColor(colour("scene")), 3.5, j=Qt.PenJoinStyle.RoundJoin))
+    painter.fillPath(path, QColor(shade))
+
+
+def _title_and_legend(painter: QPainter, overlay: Overlay) -> None:
+    font = QFont(painter.font())
+    font.setBold(True)
+    metrics, small = QFontMetricsF(font), QFontMetricsF(painter.font())
+    pad = 0.6 * metrics.height()
+    room = overlay.rect.width() - 2.0 * pad
+    frame = f"  {{{overlay.scene.frame}}}, mm"
+    title = metrics.elidedText(
+        overlay.words(overlay.scene.title), Qt.TextElideMode.ElideRight, room - small.horizontalAdvance(frame)
+    )
+    y = pad + metrics.ascent()
+    written(painter, QPointF(pad, y), title, colour("text"), font)
+    written(painter, QPointF(pad + metrics.horizontalAdvance(title), y), frame, colour("muted"))
+    side = 0.7 * small.ascent()
+    for role, words in overlay.scene.legend:
+        y += 1.25 * small.height()
+        painter.setPen(QPen(QColor(colour("scene")), 1.0))
+        painter.setBrush(QColor(colour(role)))
+        painter.drawRoundedRect(QRectF(pad, y - side, side, side), 2.0, 2.0)
+        text = small.elidedText(overlay.words(words), Qt.TextElideMode.ElideRight, 0.6 * room)
+        written(painter, QPointF(pad + 1.7 * side, y), text, colour("text"))
+    overlay.placed.append(QRectF(0.0, 0.0, room, pad + 1.3 * metrics.height()))
+
+
+def scales_of(scene: Scene) -> list[Scale]:
+    """The scales that the scene's values are coloured by, each once."""
+    found: list[Scale] = []
+    for item in scene.items:
+        if isinstance(item, Points | Mesh) and item.values is not None and item.scale and item.scale not in found:
+            found.append(item.scale)
+    return found
+
+
+def _bars(painter: QPainter, overlay: Overlay) -> None:
+    metrics = QFontMetricsF(painter.font())
+    line = metrics.height()
+    right = overlay.rect.width() - 0.8 * line
+    height = min(0.45 * overlay.rect.height(), 16.0 * line)
+    bottom = min(0.5 * (overlay.rect.height() + height) + line, overlay.rect.height() - overlay.keep_free - 1.5 * line)
+    for scale in scales_of(overlay.scene)[:2]:
+        ticks = [f"{value:.3g}" for value in np.linspace(scale.low, scale.high, BAR_TICKS)]
+        if scale.kind == "diverging":
+            ticks = [f"+{text}" if float(text) > 0.0 else text for text in ticks]
+        wide = max(metrics.horizontalAdvance(text) for text in ticks)
+        bar = QRectF(right - wide - 1.4 * line, bottom - height, 0.9 * line, height)
+        table = np.ascontiguousarray(TABLES[scale.kind][::-1])
+        image = QImage(table.tobytes(), 1, len(table), 3, QImage.Format.Format_RGB888)
+        painter.drawImage(bar, image)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(colour("line")), 1.0))
+        painter.drawRect(bar)
+        for place, text in enumerate(ticks):
+            y = bar.bottom() - bar.height() * place / (BAR_TICKS - 1)
+            painter.setPen(QPen(QColor(colour("muted")), 1.0))
+            painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.25 * line, y))
+            written(painter, QPointF(bar.right() + 0.4 * line, y + 0.35 * metrics.ascent()), text, colour("text"))
+        title = metrics.elidedText(overlay.words(scale.title), Qt.TextElideMode.ElideRight, 0.6 * overlay.rect.width())
+        across = metrics.horizontalAdvance(title)
+        written(painter, QPointF(right - across, bar.top() - 0.7 * line), title, colour("text"))
+        overlay.placed.append(QRectF(bar.left(), bar.top() - 2.0 * line, right - bar.left(), height + 3.0 * line))
+        right = min(bar.left(), right - across) - line
+
+
+def _axes_and_scale(painter: QPainter, overlay: Overlay) -> None:
+    """Which way x, y, z point in this picture, and how long some mm are in the plane of the middle."""
+    line = QFontMetricsF(painter.font()).height()
+    size = 1.7 * line
+    middle = QPointF(0.8 * line + size, overlay.rect.height() - 0.8 * line - size)
+    order = sorted(range(3), key=lambda axis: overlay.camera.rotation[2, axis])
+    for axis in order:
+        right, up = overlay.camera.rotation[0, axis], overlay.camera.rotation[1, axis]
+        role, name = AXES[axis]
+        tip = middle + QPointF(size * right, -size * up)
+        painter.setPen(QPen(QColor(colour(role)), 2.0))
+        painter.drawLine(middle, tip)
+        beside = middle + QPointF(1.25 * size * right - 0.2 * line, -1.25 * size * up + 0.25 * line)
+        written(painter, beside, name, colour(role))
+    mm = overlay.camera.mm_per_pixel(overlay.rect.height()) * 7.0 * line
+    step = 10.0 ** np.floor(np.log10(mm))
+    length = max(step * factor for factor in (1.0, 2.0, 5.0) if step * factor <= mm)
+    pixels = length / overlay.camera.mm_per_pixel(overlay.rect.height())
+    left = QPointF(middle.x() + 1.9 * size, overlay.rect.height() - 0.8 * line)
+    painter.setPen(QPen(QColor(colour("muted")), 2.0))
+    painter.drawLine(left, left + QPointF(pixels, 0.0))
+    for end in (left, left + QPointF(pixels, 0.0)):
+        painter.drawLine(end, end - QPointF(0.0, 0.3 * line))
+    written(painter, left + QPointF(0.0, -0.45 * line), f"{length:g} mm", colour("muted"))
+
+
+def labels_of(items: Sequence[Item]) -> list[tuple[np.ndarray, str, Role, bool]]:
+    """Place (3,), text, role, and whether the text is a sentence to translate, of all that is written in the scene."""
+    found: list[tuple[np.ndarray, str, Role, bool]] = []
+    for item in items:
+        if isinstance(item, Label):
+            found.append((np.asarray(item.at, dtype=float), item.text, item.role, True))
+        elif isinstance(item, Arrow) and item.label:
+            found.append((np.asarray(item.start, float) + np.asarray(item.vector, float), item.label, item.role, True))
+        elif isinstance(item, Frame) and not item.name.startswith(UNWRITTEN):
+            pose = np.asarray(item.scene_from_frame, dtype=float)
+            found.append((pose[:3, 3], item.name, Role.MUTED, False))
+            for axis, (role, name) in enumerate(AXES):
+                found.append((pose[:3, 3] + 1.08 * item.length_mm * pose[:3, axis], name, role, False))
+    return found
+
+
+def _names(painter: QPainter, overlay: Overlay) -> None:
+    labels = labels_of((*overlay.scene.items, *overlay.extras))[:MOST_LABELS]
+    if not labels:
+        return
+    metrics = QFontMetricsF(painter.font())
+    places = np.stack([at for at, *_ in labels])
+    pixels, depth = overlay.camera.project(places, overlay.rect.width(), overlay.rect.height())
+    for (x, y), away, (_, text, role, translate) in zip(pixels, depth, labels, strict=True):
+        if away <= 0.0 or not (0.0 <= x <= overlay.rect.width() and 0.0 <= y <= overlay.rect.height()):
+            continue
+        text = overlay.words(text) if translate else text
+        shade = colour("text") if role is Role.MUTED else colour(role)
+        box = QRectF(x + 4.0, y - 0.8 * metrics.height(), metrics.horizontalAdvance(text), metrics.height())
+        for _ in range(4):
+            if not any(box.intersects(other) for other in overlay.placed):
+                break
+            box.translate(0.0, metrics.height())
+        overlay.placed.append(box)
+        written(painter, QPointF(box.left(), box.top() + metrics.ascent()), text, shade)
+
+
+def _pins(painter: QPainter, overlay: Overlay) -> None:
+    if not overlay.pins:
+        return
+    places = np.stack([np.asarray(pin.at, dtype=float) for pin in overlay.pins])
+    pixels, depth = overlay.camera.project(places, overlay.rect.width(), overlay.rect.height())
+    for (x, y), away, pin in zip(pixels, depth, overlay.pins, strict=True):
+        if away <= 0.0:
+            continue
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for shade, wide in ((colour("scene"), 5.0), (colour(pin.role), 2.5)):
+            painter.setPen(QPen(QColor(shade), wide))
+            painter.drawEllipse(QPointF(x, y), 7.0, 7.0)
+        written(painter, QPointF(x + 11.0, y - 6.0), pin.name, colour(pin.role))
