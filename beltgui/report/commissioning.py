@@ -132,9 +132,11 @@ def _base(found: Commissioning) -> Section:
 def _rough(found: Commissioning) -> Section:
     outcome = found.rough
     assert outcome is not None
+    confirmed = outcome.confirmed
     rows = [*_pose_rows("blade in measure", outcome.measure_from_work),
-            ("confirmed by the fine step, RMS", _um(outcome.fit.fine.rms_mm), "")]
-    return _section("rough", found, "The blade was found in the scan without any starting pose.", [_facts(rows)], [])
+            ("confirmed by the fine step, RMS", _um(confirmed.rms_mm) if confirmed else "no", "")]
+    how = "from picked pairs of points" if outcome.pairs is not None else "without any starting pose"
+    return _section("rough", found, f"The blade was found in the scan {how}.", [_facts(rows)], [])
 
 
 def _fine(found: Commissioning, model: CadModel) -> Section:

@@ -6,6 +6,7 @@ from typing import Any
 
 from beltgui.steps.blocks import conditioning_block, plain, pose_block, verdict_block
 from core.fine import FineFit
+from core.frames import Array
 from core.rough import PairsFit
 from core.rough.automatic import GlobalFit
 from core.verdict import Verdict
@@ -26,6 +27,22 @@ def record(fit: PairsFit, verdict: Verdict) -> dict[str, Any]:
         "worst_is_clear": bool(fit.worst_is_clear),
         **conditioning_block(fit.conditioning),
         "remarks": list(fit.remarks),
+    }
+
+
+def confirmed_pairs_record(
+    fit: PairsFit, confirmed: FineFit | None, measure_from_work: Array, apart_mm: Array, verdict: Verdict
+) -> dict[str, Any]:
+    """The same with the pose that the faces confirmed; `apart_mm` (N,) are the pairs' distances under that one."""
+    pairs = record(fit, verdict)
+    for pair, distance in zip(pairs["pairs"], apart_mm, strict=True):
+        pair["distance_by_faces_mm"] = plain(distance)
+    covariance = fit.covariance if confirmed is None else confirmed.covariance
+    return {
+        **pairs,
+        "measure_from_work": pose_block(measure_from_work, covariance),
+        "measure_from_work_by_pairs": pose_block(fit.measure_from_work, fit.covariance),
+        "confirmed_rms_mm": None if confirmed is None else plain(confirmed.rms_mm),
     }
 
 
