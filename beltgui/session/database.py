@@ -37,20 +37,29 @@ class Database:
 
     @classmethod
     def create(cls, path: Path, info: dict[str, Any]) -> Database:
-        """A new database, whole from the moment it has its name."""
+        """A new database, whole from the moment it has its name.
+
+        Raises:
+            InputError: the disk is full, or the like.
+        """
         unfinished = path.with_name(f".{path.name}.part")
-        unfinished.unlink(missing_ok=True)
+        for suffix in ("", "-journal", "-wal", "-shm"):  # of a process that was killed here
+            unfinished.with_name(unfinished.name + suffix).unlink(missing_ok=True)
         engine = _engine(unfinished, "create")
-        with engine.begin() as connection:
-            schema.metadata.create_all(connection)
-            rows = [{"key": key, "value": schema.dump(value)} for key, value in info.items()]
-            connection.execute(schema.info.insert(), rows)
-        raw = engine.raw_connection()
-        raw.execute("PRAGMA journal_mode=WAL")  # stays in the file
-        raw.close()
-        engine.dispose()
-        os.replace(unfinished, path)
-        sync_folder(path.parent)
+        try:
+            with engine.begin() as connection:
+                schema.metadata.create_all(connection)
+                rows = [{"key": key, "value": schema.dump(value)} for key, value in info.items()]
+                connection.execute(schema.info.insert(), rows)
+            with engine.connect().execution_options(outside=True) as connection:
+                connection.exec_driver_sql("PRAGMA journal_mode=WAL")  # stays in the file
+            engine.dispose()
+            os.replace(unfinished, path)
+            sync_folder(path.parent)
+        except (DBAPIError, OSError) as error:
+            raise InputError(f"{path}: no session can be begun here ({_reason(error)}). Check the disk.") from error
+        finally:
+            engine.dispose()
         return cls.open(path, write=True)
 
     @classmethod
@@ -74,8 +83,7 @@ class Database:
                 database._probe()
         except (DBAPIError, OSError) as error:
             database.close()
-            reason = error.orig if isinstance(error, DBAPIError) else error
-            raise InputError(f"{path}: this is not a session's database ({reason}).") from error
+            raise InputError(f"{path}: this is not a session's database ({_reason(error)}).") from error
         return database
 
     @classmethod
@@ -123,7 +131,8 @@ class Database:
                     yield connection
             except OperationalError as error:
                 raise InputError(
-                    f"{self.path}: nothing was changed, the database cannot be written ({error.orig}). Check the disk."
+                    f"{self.path}: nothing was changed, the database cannot be written ({_reason(error)}). Check the "
+                    "disk."
                 ) from error
 
     def close(self) -> None:
@@ -155,7 +164,12 @@ def _engine(path: Path, mode: str) -> Engine:
     @event.listens_for(engine, "begin")
     def begin(connection: Connection) -> None:
         # A transaction that will write says so at once, otherwise it could fail half-way where another one wrote.
-        immediate = connection.get_execution_options().get("immediate", False)
-        connection.exec_driver_sql("BEGIN IMMEDIATE" if immediate else "BEGIN")
+        options = connection.get_execution_options()
+        if not options.get("outside", False):
+            connection.exec_driver_sql("BEGIN IMMEDIATE" if options.get("immediate", False) else "BEGIN")
 
     return engine
+
+
+def _reason(error: Exception) -> object:
+    return error.orig if isinstance(error, DBAPIError) else error

@@ -106,8 +106,7 @@ def check_acceptable(connection: Connection, step: str, latest: StoredResult | N
         raise InputError(f"The step '{step}' has no result yet. Solve it first.")
     if not latest.ok:
         raise InputError(f"The latest result of the step '{step}' is not good enough to accept: {latest.headline}")
-    now = samples.basis(connection, step)
-    if (now.samples, now.settings) != (latest.samples, latest.settings):
+    if not samples.basis(connection, step).fits(latest):
         raise InputError(f"The samples or settings of the step '{step}' changed since it was solved. Solve it again.")
     return latest
 

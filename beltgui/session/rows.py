@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+SHOWN_ONLY = frozenset({"exaggeration"})
+_UNSET = object()
+
 
 @dataclass(frozen=True)
 class Sample:
@@ -29,19 +32,6 @@ class Sample:
     cloud: str | None
     included: bool = True
     deleted: bool = False
-
-
-@dataclass(frozen=True)
-class Basis:
-    """What a result of a step is solved from, as the session stands.
-
-    Attributes:
-        samples: Ids of the included samples, ascending.
-        settings: The step's settings.
-    """
-
-    samples: tuple[int, ...]
-    settings: dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -73,6 +63,35 @@ class StoredResult:
     stands_on: dict[str, int]
     person: str
     software: str
+
+    def says_the_same(self, other: StoredResult) -> bool:
+        """True if the other was solved from the same, by the same software, and found the same."""
+        return all(
+            getattr(self, name) == getattr(other, name)
+            for name in ("ok", "record", "samples", "settings", "stands_on", "software")
+        )
+
+
+@dataclass(frozen=True)
+class Basis:
+    """What a result of a step is solved from, as the session stands.
+
+    Attributes:
+        samples: Ids of the included samples, ascending.
+        settings: The step's settings.
+    """
+
+    samples: tuple[int, ...] = ()
+    settings: dict[str, Any] = field(default_factory=dict)
+
+    def changed_settings(self, result: StoredResult) -> list[str]:
+        """Settings that are not what they were for a result; those that only change a picture do not count."""
+        keys = (self.settings.keys() | result.settings.keys()) - SHOWN_ONLY
+        return sorted(key for key in keys if self.settings.get(key, _UNSET) != result.settings.get(key, _UNSET))
+
+    def fits(self, result: StoredResult) -> bool:
+        """True if a result was solved from just this."""
+        return self.samples == result.samples and not self.changed_settings(result)
 
 
 @dataclass(frozen=True)
@@ -122,7 +141,7 @@ class StepSnapshot:
         accepted: The result that was accepted last.
     """
 
-    basis: Basis
+    basis: Basis = field(default_factory=Basis)
     sample_count: int = 0
     latest: StoredResult | None = None
     accepted: StoredResult | None = None

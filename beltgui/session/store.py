@@ -93,14 +93,23 @@ class Session:
         lock = WriterLock(folder) if write else None
         try:
             session = cls(folder, Database.open(path, write=write), lock)
-            if write:
-                with session._database.reading() as connection:
-                    clouds.tidy(folder, session._samples.next_number(connection))
         except BaseException:
             if lock is not None:
                 lock.release()
             raise
+        if write:
+            session._tidy()
         return session
+
+    def _tidy(self) -> None:
+        try:
+            with self._database.reading() as connection:
+                clouds.tidy(self.folder, self._samples.next_number(connection))
+        except OSError as error:
+            self.close()
+            raise InputError(
+                f"{self.folder}: the folder of the clouds cannot be written ({error.strerror})."
+            ) from error
 
     def close(self) -> None:
         """Close it and let others write; everything is on disk already. Closing twice does nothing."""
@@ -309,14 +318,19 @@ class Session:
     def accept(self, step: str, person: str) -> StoredResult:
         """Accept the latest result of a step.
 
+        Returns:
+            The accepted one: an earlier one that says the same, if that was accepted last.
+
         Raises:
             InputError: there is none, its verdict is not ok, or its samples or settings have changed since.
         """
         with self._database.changing() as connection:
             latest = self._stored.latest(connection, step)
             result = self._results.check_acceptable(connection, step, latest)
-            if self._stored.accepted(connection, step) != result:
-                self._results.decide(connection, step, person, self._results.ACCEPTED, result.id)
+            accepted = self._stored.accepted(connection, step)
+            if accepted is not None and accepted.says_the_same(result):
+                return accepted  # what stands on it need not be solved again
+            self._results.decide(connection, step, person, self._results.ACCEPTED, result.id)
             return result
 
     def accepted_result(self, step: str) -> StoredResult | None:
