@@ -136,8 +136,8 @@ class _Drawn:
         look.SetColor(*_swapped(geometry.colour))
         look.SetOpacity(geometry.opacity)
         look.SetLighting(geometry.lit)
-        look.SetAmbient(0.25)
-        look.SetDiffuse(0.8)
+        look.SetAmbient(0.38)
+        look.SetDiffuse(0.68)
         if geometry.normals is not None:
             look.SetInterpolationToPhong()
         else:
@@ -208,13 +208,19 @@ class Stage:
         self._window.Finalize()
 
     def _arrange(self, request: Request) -> None:
-        from vtkmodules.vtkRenderingCore import vtkRenderer
+        from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
         self._window.SetSize(request.width, request.height)
         while len(self._views) > len(request.views):
             self._window.RemoveRenderer(self._views.pop().renderer)
         while len(self._views) < len(request.views):
             renderer = vtkRenderer()
+            for place, strength in (((-0.4, 0.5, 1.0), 0.85), ((0.9, -0.2, 0.5), 0.35)):
+                light = vtkLight()  # over the person's left shoulder, and a weaker one from the right
+                light.SetLightTypeToCameraLight()
+                light.SetPosition(*place)
+                light.SetIntensity(strength)
+                renderer.AddLight(light)
             self._window.AddRenderer(renderer)
             self._views.append(_View(renderer))
         for view, (begin, end) in zip(self._views, split(request.width, len(self._views)), strict=True):

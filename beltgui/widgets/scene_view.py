@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QElapsedTimer, QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QElapsedTimer, QEvent, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QImage, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
@@ -263,7 +263,7 @@ class SceneView(QWidget):
         size: QSize = self._bar.sizeHint()
         self._bar.resize(size)
         self._bar.move(self.width() - size.width() - 8, self.height() - size.height() - 8)
-        self.canvas.keep_free = size.height() + 16.0
+        self.canvas.keep_free = QSizeF(size.width() + 16.0, size.height() + 16.0)
         self.canvas.update()
 
     def _theme_changed(self) -> None:

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QElapsedTimer, QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QEvent, QPoint, QPointF, QRectF, QSizeF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
+    QFontMetricsF,
     QGuiApplication,
     QImage,
     QKeyEvent,
@@ -27,7 +28,7 @@ from beltgui.viewmodel.scene import Arrow, Frame, Item, Label, Lines, Mesh, Poin
 from beltgui.widgets.scene_draw import BACKGROUND, Request, ViewRequest, split
 from beltgui.widgets.scene_view_camera import ANGLE_RAD, DIRECTIONS, Camera
 from beltgui.widgets.scene_view_link import LocalDrawer, Picture, ProcessDrawer
-from beltgui.widgets.scene_view_overlay import Overlay, Pin, paint
+from beltgui.widgets.scene_view_overlay import Overlay, Pin, bar_share, paint
 from beltgui.widgets.scene_view_pick import Hit, pick
 
 # Requests are held together for so long, so that several changes at once make one picture.
@@ -80,7 +81,7 @@ class Canvas(QWidget):
         super().__init__(parent)
         self.panes: list[Pane] = []
         self.pick_mode = "none"
-        self.keep_free = 0.0
+        self.keep_free = QSizeF(0.0, 0.0)
         self.notice = ""
         self.seconds = 0.0
         self._drawer: ProcessDrawer | LocalDrawer | None = None
@@ -191,7 +192,9 @@ class Canvas(QWidget):
             pane.camera = Camera.looking(pane.scene.view.split()[-1])
         pane.box = box
         rect = self.rects()[self.panes.index(pane)]
-        pane.camera = pane.camera.fitted(outline, rect.width() / max(rect.height(), 1.0))
+        share = bar_share(pane.scene, QFontMetricsF(self.font()), rect.width())
+        fitted = pane.camera.fitted(outline, rect.width() * (1.0 - share) / max(rect.height(), 1.0))
+        pane.camera = fitted.moved(-0.5 * share * rect.width(), 0.0, rect.height())
 
     # --- pictures
 
@@ -254,7 +257,7 @@ class Canvas(QWidget):
             painter.drawImage(QRectF(self.rect()), self._picture)
         rects = self.rects()
         for number, (pane, rect) in enumerate(zip(self.panes, rects, strict=True)):
-            free = self.keep_free if number == len(rects) - 1 else 0.0
+            free = self.keep_free if number == len(rects) - 1 else QSizeF(0.0, 0.0)
             camera = pane.drawn_with or pane.camera
             paint(painter, Overlay(pane.scene, pane.extras, camera, rect, self._word, pane.pins, pane.hover_at, free))
         painter.setPen(QColor(colour("line")))

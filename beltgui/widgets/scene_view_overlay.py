@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
 
 from beltgui.app.theme import colour
@@ -45,7 +45,7 @@ class Overlay:
         words: A text in the language of the screen.
         pins: Picked places.
         hover: Pixel of what a click would pick; None without.
-        keep_free: Height at the lower right that belongs to buttons.
+        keep_free: Size at the lower right that belongs to buttons.
     """
 
     scene: Scene
@@ -55,7 +55,7 @@ class Overlay:
     words: Callable[[str], str]
     pins: Sequence[Pin] = ()
     hover: QPointF | None = None
-    keep_free: float = 0.0
+    keep_free: QSizeF = field(default_factory=lambda: QSizeF(0.0, 0.0))
     placed: list[QRectF] = field(default_factory=list)
 
 
@@ -123,11 +123,12 @@ def _bars(painter: QPainter, overlay: Overlay) -> None:
     line = metrics.height()
     right = overlay.rect.width() - 0.8 * line
     height = min(0.45 * overlay.rect.height(), 16.0 * line)
-    bottom = min(0.5 * (overlay.rect.height() + height) + line, overlay.rect.height() - overlay.keep_free - 1.5 * line)
+    lowest = overlay.rect.height() - overlay.keep_free.height() - 1.5 * line
+    bottom = min(0.5 * (overlay.rect.height() + height) + line, lowest)
     for scale in scales_of(overlay.scene)[:2]:
-        ticks = [f"{value:.3g}" for value in np.linspace(scale.low, scale.high, BAR_TICKS)]
-        if scale.kind == "diverging":
-            ticks = [f"+{text}" if float(text) > 0.0 else text for text in ticks]
+        sign = "+" if scale.kind == "diverging" else ""
+        values = np.linspace(scale.low, scale.high, BAR_TICKS)
+        ticks = [(f"{sign if value > 0.0 else ''}{value:.3g}").replace("-", "−") for value in values]
         wide = max(metrics.horizontalAdvance(text) for text in ticks)
         bar = QRectF(right - wide - 1.4 * line, bottom - height, 0.9 * line, height)
         table = np.ascontiguousarray(TABLES[scale.kind][::-1])
@@ -152,7 +153,9 @@ def _axes_and_scale(painter: QPainter, overlay: Overlay) -> None:
     """Which way x, y, z point in this picture, and how long some mm are in the plane of the middle."""
     line = QFontMetricsF(painter.font()).height()
     size = 1.7 * line
-    middle = QPointF(0.8 * line + size, overlay.rect.height() - 0.8 * line - size)
+    crowded = overlay.rect.width() < overlay.keep_free.width() + 15.0 * line
+    floor = overlay.rect.height() - 0.8 * line - (overlay.keep_free.height() if crowded else 0.0)
+    middle = QPointF(0.8 * line + size, floor - size)
     order = sorted(range(3), key=lambda axis: overlay.camera.rotation[2, axis])
     for axis in order:
         right, up = overlay.camera.rotation[0, axis], overlay.camera.rotation[1, axis]
@@ -166,7 +169,7 @@ def _axes_and_scale(painter: QPainter, overlay: Overlay) -> None:
     step = 10.0 ** np.floor(np.log10(mm))
     length = max(step * factor for factor in (1.0, 2.0, 5.0) if step * factor <= mm)
     pixels = length / overlay.camera.mm_per_pixel(overlay.rect.height())
-    left = QPointF(middle.x() + 1.9 * size, overlay.rect.height() - 0.8 * line)
+    left = QPointF(middle.x() + 1.9 * size, floor)
     painter.setPen(QPen(QColor(colour("muted")), 2.0))
     painter.drawLine(left, left + QPointF(pixels, 0.0))
     for end in (left, left + QPointF(pixels, 0.0)):
@@ -202,13 +205,27 @@ def _names(painter: QPainter, overlay: Overlay) -> None:
             continue
         text = overlay.words(text) if translate else text
         shade = colour("text") if role is Role.MUTED else colour(role)
-        box = QRectF(x + 4.0, y - 0.8 * metrics.height(), metrics.horizontalAdvance(text), metrics.height())
-        for _ in range(4):
-            if not any(box.intersects(other) for other in overlay.placed):
-                break
-            box.translate(0.0, metrics.height())
+        box = _free_place(overlay, x, y, metrics.horizontalAdvance(text), metrics.height())
         overlay.placed.append(box)
         written(painter, QPointF(box.left(), box.top() + metrics.ascent()), text, shade)
+
+
+def _free_place(overlay: Overlay, x: float, y: float, wide: float, high: float) -> QRectF:
+    """Beside a pixel, within the viewport, on nothing that is written already if there is such a place."""
+    first = None
+    left_of = -4.0 - wide
+    for left, top in ((4.0, -0.8), (left_of, -0.8), (4.0, 0.2), (left_of, 0.2), (4.0, -1.8), (4.0, 1.2), (4.0, 2.2)):
+        box = QRectF(x + left, y + top * high, wide, high)
+        box.moveLeft(min(max(box.left(), 2.0), max(overlay.rect.width() - wide - 2.0, 2.0)))
+        first = first or box
+        if not any(box.intersects(other) for other in overlay.placed):
+            return box
+    return first
+
+
+def bar_share(scene: Scene, metrics: QFontMetricsF, width: float) -> float:
+    """Which part of a viewport's width the colour bars need."""
+    return min(len(scales_of(scene)[:2]) * 5.5 * metrics.height() / max(width, 1.0), 0.4)
 
 
 def _pins(painter: QPainter, overlay: Overlay) -> None:
