@@ -12,9 +12,12 @@ from core.verdict import Code, Reason
 EVERY = 4
 
 
-def is_held_out(slot: int, every: int = EVERY) -> bool:
-    """True if the planned sample of that number is kept out of the fit, whatever else is there; never the first."""
-    return slot % every == every - 1
+def is_held_out(slot: int, planned: int) -> bool:
+    """True if the sample of that number is kept out of the fit, whatever else is there.
+
+    Each fourth of the planned ones is, never the first; those that were asked for beyond the plan are all fitted.
+    """
+    return slot < planned and slot % EVERY == EVERY - 1
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,8 @@ from core.ball.stage_checks import STILL_RAD
 from core.errors import InputError
 from core.frames import transform_points
 from core.verdict import Code, Verdict
-from devices.interfaces import Mount
+from devices.cell_plan import ScanPose
+from devices.interfaces import Mount, StagePosition
 
 Array = NDArray[np.float64]
 STEP = "ball"
@@ -65,9 +66,19 @@ class BallOutcome:
         return self.returned.moved_mm
 
 
+def wanted_poses(bench: Bench) -> tuple[ScanPose, ...]:
+    """The planned scans, then those asked for in addition: setting `extra`, each [x, y, z in mm, theta in deg]."""
+    planned = bench.plan.stage_step
+    extra = bench.session.setting(STEP, "extra", [])
+    return (*planned, *(
+        ScanPose(f"extra {number}", planned[0].base_from_flange, StagePosition(x, y, z, float(np.radians(theta_deg))))
+        for number, (x, y, z, theta_deg) in enumerate(extra, start=1)
+    ))  # fmt: skip
+
+
 def acquire(bench: Bench, context: Context) -> None:
     """Mount the ball, take the scans that are missing, and at the end the first place again."""
-    poses = context.plan.stage_step
+    poses = wanted_poses(bench)
     if is_complete(ball_scans(bench, STEP), len(poses)):
         return
     context.cell.operator.perform(Mount("ball"))
@@ -85,15 +96,17 @@ def solve(bench: Bench, job: Job) -> BallOutcome:
     used = usable(scans)
     if not used:
         raise InputError("No scan shows the ball yet. Take the scans.", Code.NOT_ENOUGH_POINTS)
-    fitted = [scan for scan in used if not is_held_out(scan.slot)]
+    planned = len(bench.plan.stage_step)
+    fitted = [scan for scan in used if not is_held_out(scan.slot, planned)]
     stage = solve_stage(observations(fitted))
     misses = {scan.id: carried(stage, scan) - stage.ball_in_measure_mm for scan in scans if can_carry(stage, scan)}
-    errors = [np.linalg.norm(misses[scan.id]) for scan in used if is_held_out(scan.slot) and scan.id in misses]
+    held = [scan for scan in used if is_held_out(scan.slot, planned) and scan.id in misses]
+    errors = [np.linalg.norm(misses[scan.id]) for scan in held]
     held_out = HeldOut("ball centre in {M}", np.array(errors), HELD_OUT_LIMIT_MM)
     centers = {scan.id: scan.sphere.center_mm for scan in scans if scan.usable}
     back = returned(scans, centers, RETURNED_LIMIT_MM)
     reasons = [
-        *missing_reasons(scans, [pose.name for pose in bench.plan.stage_step]),
+        *missing_reasons(scans, [pose.name for pose in wanted_poses(bench)]),
         *back.reasons(),
         *judge_scans(scans),
         *judge_stage(stage, StageLimits(), [scan.name for scan in fitted]).reasons,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,9 +21,10 @@ from beltgui.steps.room import Bench
 from core.ball import SphereFit, StageFit
 from core.base import BaseFit, BaseLimits, judge_base, solve_base
 from core.errors import InputError
-from core.frames import transform_points
+from core.frames import rigid, rotation_from_euler_zyx, transform_points
 from core.verdict import Code, Verdict
-from devices.interfaces import Mount
+from devices.cell_plan import ScanPose
+from devices.interfaces import Mount, StagePosition
 
 Array = NDArray[np.float64]
 STEP = "base"
@@ -66,9 +68,26 @@ class BaseOutcome:
         return self.returned.moved_mm
 
 
+def wanted_poses(bench: Bench) -> tuple[ScanPose, ...]:
+    """The planned poses, then those asked for in addition.
+
+    Setting `extra`: each {`translation_mm`, `euler_zyx_deg`} of base_from_flange and `stage`: [x, y, z in mm, theta in
+    deg].
+    """
+    extra = bench.session.setting(STEP, "extra", [])
+    return (*bench.plan.base_step, *(_extra_pose(number, entry) for number, entry in enumerate(extra, start=1)))
+
+
+def _extra_pose(number: int, entry: Mapping[str, Sequence[float]]) -> ScanPose:
+    x, y, z, theta_deg = entry["stage"]
+    rotation = rotation_from_euler_zyx(*np.radians(entry["euler_zyx_deg"]))
+    stage = StagePosition(x, y, z, float(np.radians(theta_deg)))
+    return ScanPose(f"extra {number}", rigid(rotation, entry["translation_mm"]), stage)
+
+
 def acquire(bench: Bench, context: Context) -> None:
     """Scan the ball on the flange in the planned poses that are missing, and at the end in the first one again."""
-    poses = context.plan.base_step
+    poses = wanted_poses(bench)
     if is_complete(ball_scans(bench, STEP), len(poses)):
         return
     context.cell.operator.perform(Mount("ball"))
@@ -90,18 +109,19 @@ def solve(bench: Bench, job: Job) -> BaseOutcome:
     if not used:
         raise InputError("No scan shows the ball yet. Take the scans.", Code.NOT_ENOUGH_POINTS)
     balls = {scan.id: carried(stage, scan) for scan in scans if scan.seen.sphere is not None}
-    fitted = [scan for scan in used if not is_held_out(scan.slot)]
+    planned = len(bench.plan.base_step)
+    fitted = [scan for scan in used if not is_held_out(scan.slot, planned)]
     fit = solve_base(
         np.array([scan.base_from_flange for scan in fitted]).reshape(-1, 4, 4),
         np.array([balls[scan.id] for scan in fitted]).reshape(-1, 3),
         ball_covariance_mm2=np.array([_ball_covariance(stage, scan) for scan in fitted]).reshape(-1, 3, 3),
     )
     misses = {scan.id: by_robot(fit, scan) - by_scanner(fit, balls[scan.id]) for scan in scans if scan.id in balls}
-    errors = [np.linalg.norm(misses[scan.id]) for scan in used if is_held_out(scan.slot)]
+    errors = [np.linalg.norm(misses[scan.id]) for scan in used if is_held_out(scan.slot, planned)]
     held_out = HeldOut("ball centre in {B}", np.array(errors), HELD_OUT_LIMIT_MM)
     back = returned(scans, balls, RETURNED_LIMIT_MM)
     reasons = [
-        *missing_reasons(scans, [pose.name for pose in bench.plan.base_step]),
+        *missing_reasons(scans, [pose.name for pose in wanted_poses(bench)]),
         *back.reasons(),
         *judge_scans(scans),
         *judge_base(fit, BaseLimits(), [scan.name for scan in fitted]).reasons,

@@ -14,7 +14,7 @@ from beltgui.steps.blocks import degrees, plain, verdict_block
 from beltgui.steps.held_out import HeldOut, is_held_out
 from beltgui.steps.room import Bench
 from beltgui.steps.tool.record import stylus_record, wheel_record
-from beltgui.steps.tool.touches import ConeTouch, Missing, ShaftTouch, Touches, missing, planned_count, read
+from beltgui.steps.tool.touches import ConeTouch, ShaftTouch, Touches, Wanted, missing, read, wanted
 from core.errors import InputError
 from core.frames import transform_points
 from core.tool import (
@@ -29,7 +29,7 @@ from core.tool import (
     solve_wheel,
 )
 from core.verdict import Code, Reason, Verdict
-from devices.cell_plan import CellPlan, GrinderPlan
+from devices.cell_plan import GrinderPlan
 
 Array = NDArray[np.float64]
 CONE_LIMIT_MM = 0.5
@@ -93,10 +93,11 @@ def solve(bench: Bench, job: Job) -> ToolOutcome:
     job.report(0.0, "solving stylus and wheels")
     touches = read(bench.session)
     included = [touch for touch in touches.cone if touch.included]
-    fitted = [touch for touch in included if not is_held_out(touch.slot)]
+    planned = len(bench.plan.stylus.touches)
+    fitted = [touch for touch in included if not is_held_out(touch.slot, planned)]
     stylus = solve_stylus(np.array([touch.base_from_flange for touch in fitted]).reshape(-1, 4, 4))
     cone_misses = {touch.id: tip_in_base(touch, stylus) - stylus.pivot_in_base_mm for touch in touches.cone}
-    errors = [np.linalg.norm(cone_misses[touch.id]) for touch in included if is_held_out(touch.slot)]
+    errors = [np.linalg.norm(cone_misses[touch.id]) for touch in included if is_held_out(touch.slot, planned)]
     cone_held_out = HeldOut("cone's point", np.array(errors), CONE_LIMIT_MM)
     wheels: dict[str, _Wheel] = {}
     unsolved: dict[str, str] = {}
@@ -111,7 +112,7 @@ def solve(bench: Bench, job: Job) -> ToolOutcome:
             reasons = wheels[name].reasons()
         found += [Reason(reason.code, f"Grinder {name}: {reason.message}") for reason in reasons]
     verdict = Verdict.of([
-        *_missing_reasons(missing(touches, bench.plan), bench.plan),
+        *_missing_reasons(touches, wanted(bench.session, bench.plan)),
         *judge_stylus(stylus, StylusLimits(), [touch.name for touch in fitted]).reasons,
         *cone_held_out.reasons("Touch the cone again, pressing lightly, and see that the stylus sits tight."),
         *found,
@@ -140,7 +141,8 @@ def tip_in_base(touch: ConeTouch | ShaftTouch, stylus: StylusFit) -> Array:
 
 def _solve_wheel(touches: Sequence[ShaftTouch], stylus: StylusFit, plan: GrinderPlan) -> _Wheel:
     included = [touch for touch in touches if touch.included]
-    fitted = [touch for touch in included if not is_held_out(touch.slot)]
+    planned = len(plan.touch_angles_rad)
+    fitted = [touch for touch in included if not is_held_out(touch.slot, planned)]
     fit = solve_wheel(
         WheelTouches(
             np.array([touch.angle_rad for touch in fitted]),
@@ -153,7 +155,7 @@ def _solve_wheel(touches: Sequence[ShaftTouch], stylus: StylusFit, plan: Grinder
         touch.id: tip_in_base(touch, stylus) - shaft_mark(fit, touch.angle_rad, plan.shaft_side_offset_mm)
         for touch in touches
     }
-    errors = [np.linalg.norm(misses[touch.id]) for touch in included if is_held_out(touch.slot)]
+    errors = [np.linalg.norm(misses[touch.id]) for touch in included if is_held_out(touch.slot, planned)]
     held_out = HeldOut(f"centre mark of grinder {plan.name}", np.array(errors), SHAFT_LIMIT_MM)
     return _Wheel(tuple(fitted), fit, misses, held_out)
 
@@ -165,12 +167,13 @@ def shaft_mark(fit: WheelFit, angle_rad: float, shaft_side_offset_mm: float) -> 
     return transform_points(fit.base_from_tool, in_tool)
 
 
-def _missing_reasons(absent: Missing, plan: CellPlan) -> list[Reason]:
+def _missing_reasons(touches: Touches, want: Wanted) -> list[Reason]:
+    absent = missing(touches, want)
     if not absent.count:
         return []
     return [Reason(
         Code.NOT_ENOUGH_POINTS,
-        f"{absent.count} of {planned_count(plan)} planned touches and readings are missing. Take the missing ones.",
+        f"{absent.count} of {want.count} planned touches and readings are missing. Take the missing ones.",
     )]  # fmt: skip
 
 

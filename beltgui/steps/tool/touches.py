@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from beltgui.session import Sample, Session
 from beltgui.steps import head_rest
 from beltgui.steps.context import Context
+from core.frames import rigid, rotation_from_euler_zyx
 from devices.cell_plan import CellPlan
 from devices.interfaces import Mount, TouchCone, TouchShaft
 
@@ -132,9 +133,42 @@ class Missing:
         return self.count - len(self.rests)
 
 
-def planned_count(plan: CellPlan) -> int:
-    """Touches and readings that are planned in all."""
-    return len(plan.stylus.touches) + sum(1 + len(grinder.touch_angles_rad) for grinder in plan.grinders.values())
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """All touches that are wanted: the planned ones, then those asked for in addition.
+
+    Attributes:
+        cone: (4, 4) each, base_from_flange roughly.
+        shafts: Head angles by grinder, rad.
+    """
+
+    cone: tuple[Array, ...]
+    shafts: Mapping[str, tuple[float, ...]]
+
+    @property
+    def count(self) -> int:
+        """Touches, and one reading at the stop for each grinder."""
+        return len(self.cone) + len(self.shafts) + sum(len(angles) for angles in self.shafts.values())
+
+
+def wanted(session: Session, plan: CellPlan) -> Wanted:
+    """The plan, and the settings `extra_cone` and `extra_shafts`.
+
+    `extra_cone`: each {`translation_mm`, `euler_zyx_deg`} of base_from_flange; `extra_shafts`: head angles in deg by
+    grinder.
+    """
+    cone = [
+        rigid(rotation_from_euler_zyx(*np.radians(entry["euler_zyx_deg"])), entry["translation_mm"])
+        for entry in session.setting(STEP, "extra_cone", [])
+    ]
+    extra = session.setting(STEP, "extra_shafts", {})
+    return Wanted(
+        cone=(*plan.stylus.touches, *cone),
+        shafts={
+            name: (*grinder.touch_angles_rad, *(float(np.radians(angle_deg)) for angle_deg in extra.get(name, [])))
+            for name, grinder in plan.grinders.items()
+        },
+    )
 
 
 def read(session: Session) -> Touches:
@@ -161,18 +195,18 @@ def _flange(sample: Sample) -> Array:
     return np.array(sample.data["base_from_flange"])
 
 
-def missing(touches: Touches, plan: CellPlan) -> Missing:
+def missing(touches: Touches, want: Wanted) -> Missing:
     """What is still to be taken."""
     cone = {touch.slot for touch in touches.cone}
     shafts = {(touch.grinder, touch.slot) for touch in touches.shafts}
     rests = {rest.grinder for rest in touches.rests}
     return Missing(
-        cone=tuple(slot for slot in range(len(plan.stylus.touches)) if slot not in cone),
+        cone=tuple(slot for slot in range(len(want.cone)) if slot not in cone),
         shafts={
-            name: tuple(slot for slot in range(len(grinder.touch_angles_rad)) if (name, slot) not in shafts)
-            for name, grinder in plan.grinders.items()
+            name: tuple(slot for slot in range(len(angles)) if (name, slot) not in shafts)
+            for name, angles in want.shafts.items()
         },
-        rests=tuple(name for name in plan.grinders if name not in rests),
+        rests=tuple(name for name in want.shafts if name not in rests),
     )
 
 
@@ -184,17 +218,17 @@ def acquire(session: Session, context: Context) -> None:
         Cancelled: the job was cancelled.
     """
     plan, operator = context.plan, context.cell.operator
-    absent = missing(read(session), plan)
+    want = wanted(session, plan)
+    absent = missing(read(session), want)
     if not absent.count:
         return
     if absent.touches:
         operator.perform(Mount("stylus"))
-    total = planned_count(plan)
+    total = want.count
     done = total - absent.count
     for slot in absent.cone:
-        count = len(plan.stylus.touches)
-        context.job.report(done / total, f"cone touch {slot + 1} of {count}")
-        operator.perform(TouchCone(slot, count, plan.stylus.touches[slot]))
+        context.job.report(done / total, f"cone touch {slot + 1} of {len(want.cone)}")
+        operator.perform(TouchCone(slot, len(want.cone), want.cone[slot]))
         _keep_cone(context, slot)
         done += 1
     for name, slots in absent.shafts.items():
@@ -202,11 +236,10 @@ def acquire(session: Session, context: Context) -> None:
             context.job.report(done / total, f"grinder {name}: head at its stop")
             head_rest.acquire(context, STEP, name, {"slot": 0})
             done += 1
-        grinder = plan.grinders[name]
         for slot in slots:
-            angle_rad = grinder.touch_angles_rad[slot]
+            angle_rad = want.shafts[name][slot]
             context.job.report(done / total, f"grinder {name}: shaft at {np.degrees(angle_rad):+.0f} degrees")
-            operator.perform(TouchShaft(name, angle_rad, grinder.touch_from_flange))
+            operator.perform(TouchShaft(name, angle_rad, plan.grinders[name].touch_from_flange))
             _keep_shaft(context, name, slot)
             done += 1
 
