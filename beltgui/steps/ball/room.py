@@ -31,7 +31,7 @@ class BallRoom:
 
     def headline(self, outcome: BallOutcome) -> str:
         """How well the ball is predicted by what was not fitted to it."""
-        return f"held-out ball {outcome.held_out.rms_mm:.3f} mm RMS"
+        return step.headline(outcome)
 
     def view(self, bench: Bench, outcome: BallOutcome | None, error: str = "") -> StepContent:
         """What the screen shows; see `Room.view`."""

@@ -145,3 +145,10 @@ def record(outcome: BallOutcome) -> dict[str, Any]:
         "returned_mm": plain(outcome.returned_mm),
         "verdict": verdict_block(outcome.verdict),
     }
+
+
+def headline(outcome: BallOutcome) -> str:
+    """How well the ball is predicted by what was not fitted to it."""
+    if not len(outcome.held_out.errors_mm):
+        return f"fitted ball {outcome.stage.rms_mm:.3f} mm RMS, nothing held out"
+    return f"held-out ball {outcome.held_out.rms_mm:.3f} mm RMS"

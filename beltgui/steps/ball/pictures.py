@@ -1,0 +1,182 @@
+"""Pictures and plots of the ball step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beltgui.steps.ball.advice import StageAdvice
+from beltgui.steps.ball.found import BallScan
+from beltgui.steps.ball.rows import use_of
+from beltgui.steps.ball.step import BallOutcome
+from beltgui.steps.views import drawing
+from beltgui.steps.views.common import ROLE_OF_USE, UM_PER_MM, in_um, marks_by_use
+from beltgui.viewmodel.plot import LimitLine, Marks, Plot
+from beltgui.viewmodel.scene import Item, Lines, Points, Role, Scene
+from beltgui.viewmodel.step import Use
+from core.ball import StageFit, StageLimits
+from core.frames import transform_points
+from devices.cell_plan import CellPlan
+
+Array = NDArray[np.float64]
+AXIS_LENGTH_MM = 70.0
+# The largest residual is drawn about this long.
+RESIDUAL_LENGTH_MM = 20.0
+LEGEND = (
+    (Role.INLIER, "points on the ball"),
+    (Role.OUTLIER, "other points of the scan"),
+)
+
+
+def scan_items(scan: BallScan, scene_from_scanner: Array) -> list[Item]:
+    """The points of one scan in two roles and the ball found in them."""
+    shown = drawing.display(transform_points(scene_from_scanner, scan.seen.shown))
+    on_ball = scan.seen.shown_on_ball
+    items: list[Item] = [
+        Points("scan on the ball", shown[on_ball], Role.INLIER, size_px=3.0),
+        Points("scan beside the ball", shown[~on_ball], Role.OUTLIER),
+    ]
+    if scan.seen.sphere is not None:
+        center = transform_points(scene_from_scanner, scan.sphere.center_mm)
+        items.append(drawing.sphere("ball", center, 0.5 * scan.sphere.diameter_mm))
+    return items
+
+
+def scene_of_scan(plan: CellPlan, scans: Sequence[BallScan]) -> Scene | None:
+    """The newest scan alone, in {S}; None before there is one."""
+    if not scans:
+        return None
+    newest = scans[-1]
+    items: list[Item] = [
+        drawing.frame("S", np.eye(4)),
+        drawing.scanner_volume("scanner's volume", np.eye(4), plan.scanner),
+        *scan_items(newest, np.eye(4)),
+    ]
+    return drawing.scene(f"Scan '{newest.name}' as the scanner sees it", "S", items, view="scanner", legend=LEGEND)
+
+
+def scene(plan: CellPlan, outcome: BallOutcome, advice: StageAdvice | None) -> Scene:
+    """Scanner, stage axes and the ball in {M}."""
+    fit = outcome.stage
+    at_zero = fit.measure_from_scanner
+    items: list[Item | None] = [
+        drawing.frame("M", np.eye(4)),
+        drawing.frame("S", at_zero, 30.0),
+        drawing.scanner_volume("scanner's volume", at_zero, plan.scanner),
+        *_axes(fit),
+        *_last_scan(outcome),
+        *_positions(outcome, len(plan.stage_step)),
+        *_residuals(outcome, len(plan.stage_step)),
+        _suggested(fit, advice),
+    ]
+    legend = (
+        *LEGEND,
+        (Role.FIT, "the ball, and where the scanner stood for the scans in the fit"),
+        (Role.HELD_OUT, "kept out of the fit"),
+        (Role.SUGGESTION, "where one more scan would add most"),
+    )
+    return drawing.scene("Scanner on its stage, ball standing still", "M", items, view="ball", legend=legend)
+
+
+def _axes(fit: StageFit) -> list[Item]:
+    labels = [f"stage {name}{' (assumed)' if name in fit.assumed else ''}" for name in "xyz"]
+    items: list[Item] = list(drawing.arrows("stage axis", np.zeros(3), fit.axes, AXIS_LENGTH_MM, labels))
+    for (i, j), pair, angle in zip(((0, 1), (1, 2), (2, 0)), ("xy", "yz", "zx"), fit.squareness_rad, strict=True):
+        at = 0.45 * AXIS_LENGTH_MM * (fit.axes[:, i] + fit.axes[:, j])
+        corner = 0.3 * AXIS_LENGTH_MM * np.array([fit.axes[:, i], fit.axes[:, i] + fit.axes[:, j], fit.axes[:, j]])
+        items.append(Lines(f"square {pair}", (drawing.display(corner),), Role.MUTED, 1.0))
+        items.append(drawing.label(f"squareness {pair}", at, f"{pair}: 90 deg {np.degrees(angle):+.4f} deg"))
+    if fit.rotary_axis is not None:
+        low, high = (fit.rotary_axis.point_mm + way * fit.rotary_axis.direction for way in (-120.0, 120.0))
+        items.append(drawing.segments("rotary axis", [low], [high], Role.MUTED))
+        items.append(drawing.label("rotary axis label", high, "rotary axis"))
+    return items
+
+
+def _last_scan(outcome: BallOutcome) -> list[Item]:
+    known = [scan for scan in outcome.scans if scan.id in outcome.misses_mm]
+    if not known:
+        return []
+    newest = known[-1]
+    return scan_items(newest, outcome.stage.measure_from_scanner_at(newest.stage_mm, newest.stage.theta_rad))
+
+
+def _positions(outcome: BallOutcome, planned: int) -> list[Item]:
+    """Where the scanner stood, by use."""
+    found: dict[Use, list[Array]] = {}
+    for scan in outcome.scans:
+        if scan.id in outcome.misses_mm:
+            pose = outcome.stage.measure_from_scanner_at(scan.stage_mm, scan.stage.theta_rad)
+            found.setdefault(use_of(scan, planned), []).append(pose[:3, 3])
+    return [
+        Points(f"scanner, {use.value}", drawing.display(at), ROLE_OF_USE[use], size_px=8.0) for use, at in found.items()
+    ]
+
+
+def _residuals(outcome: BallOutcome, planned: int) -> list[Item]:
+    shown = [scan for scan in outcome.scans if scan.id in outcome.misses_mm]
+    if not shown:
+        return []
+    away = np.array([outcome.misses_mm[scan.id] for scan in shown])
+    ball = outcome.stage.ball_in_measure_mm
+    used = np.array([scan.usable for scan in shown])
+    times = drawing.exaggeration(away[used] if used.any() else away, RESIDUAL_LENGTH_MM)
+    items: list[Item] = []
+    for use in Use:
+        chosen = np.array([use_of(scan, planned) is use for scan in shown])
+        if chosen.any():
+            start = np.repeat(ball[None], int(chosen.sum()), axis=0)
+            items.append(
+                drawing.exaggerated(f"residuals, {use.value}", start, away[chosen], times, ROLE_OF_USE[use])
+            )
+    at = ball + np.array([0.0, 0.0, 1.5 * RESIDUAL_LENGTH_MM])
+    items.append(drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"))
+    return items
+
+
+def _suggested(fit: StageFit, advice: StageAdvice | None) -> Item | None:
+    if advice is None or advice.opens:
+        return None
+    stage = advice.pose.stage
+    pose = fit.measure_from_scanner_at([stage.x_mm, stage.y_mm, stage.z_mm], stage.theta_rad)
+    return Points("suggested scanner", drawing.display(pose[:3, 3]), Role.SUGGESTION, size_px=12.0)
+
+
+def plots(outcome: BallOutcome, planned: int) -> tuple[Plot, ...]:
+    """Residual of each scan, its components, and each scan predicted from the others."""
+    number = {scan.id: float(index) for index, scan in enumerate(outcome.scans, start=1)}
+    lengths = [
+        (use_of(scan, planned), scan.id, number[scan.id], in_um(_length(outcome.misses_mm[scan.id])))
+        for scan in outcome.scans if scan.id in outcome.misses_mm
+    ]  # fmt: skip
+    limits = StageLimits()
+    limit = LimitLine(UM_PER_MM * outcome.held_out.limit_mm, "limit of the held-out RMS")
+    alone = [
+        (Use.FIT, scan.id, number[scan.id], in_um(float(error)))
+        for scan, error in zip(outcome.fitted, outcome.stage.leave_one_out_mm, strict=True)
+    ]
+    held = [row for row in lengths if row[0] is Use.HELD_OUT]
+    return (
+        Plot("residuals", "Residuals", "scan", "distance of the ball from the model, µm",
+             marks_by_use(lengths), (limit,)),
+        Plot("components", "Components", "scan", "ball less model in {M}, µm", _components(outcome, number)),
+        Plot("predicted", "Predicted", "scan", "distance from the prediction by all others, µm",
+             marks_by_use([*alone, *held]),
+             (LimitLine(UM_PER_MM * limits.max_outlier_mm, "limit where the others contradict"),)),
+    )  # fmt: skip
+
+
+def _components(outcome: BallOutcome, number: dict[int, float]) -> tuple[Marks, ...]:
+    ids = tuple(scan.id for scan in outcome.scans if scan.id in outcome.misses_mm and scan.included)
+    if not ids:
+        return ()
+    away = UM_PER_MM * np.array([outcome.misses_mm[sample] for sample in ids])
+    x = np.array([number[sample] for sample in ids])
+    roles = ((0, Role.X, "x"), (1, Role.Y, "y"), (2, Role.Z, "z"))
+    return tuple(Marks(x, away[:, index], role, name, ids) for index, role, name in roles)
+
+
+def _length(vector: Array) -> float:
+    return float(np.linalg.norm(vector))
