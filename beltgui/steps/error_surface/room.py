@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from beltgui.jobs import Job
@@ -21,6 +22,7 @@ from beltgui.steps.error_surface.probing import CHECK_LINES, PRESENTED_LIMIT_MM
 from beltgui.steps.error_surface.series import STEP, Series, current_clamping
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, Program
 from beltgui.steps.room import Bench
+from beltgui.viewmodel.step import StepContent
 from core.errors import InputError
 from core.verdict import Code, Reason, Verdict, above
 
@@ -112,6 +114,18 @@ class ErrorSurfaceRoom:
     def headline(self, outcome: ErrorSurfaceOutcome) -> str:
         """The number that matters."""
         return f"held-out error {outcome.held_out.rms_mm:.3f} mm RMS"
+
+    def view(self, bench: Bench, outcome: ErrorSurfaceOutcome | None, error: str = "") -> StepContent:
+        """What the screen shows; see `Room.view`."""
+        from beltgui.steps.error_surface.view import content
+
+        return content(bench, outcome, error)
+
+    def export(self, bench: Bench, outcome: ErrorSurfaceOutcome, folder: Path, job: Job) -> tuple[Path, ...]:
+        """Write robot programs with their proof, the error surface and the report; see `export.export`."""
+        from beltgui.steps.error_surface.export import export
+
+        return export(bench, outcome, folder, job)
 
 
 def _part(context: Context, start: float, end: float) -> Context:
