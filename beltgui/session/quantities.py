@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from core.frames import Array, PoseCovariance, pose_error
+from core.frames import Array, PoseCovariance, rotvec_from_rotation
 
 COVERAGE = 2.0
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,16 +126,16 @@ def movements(step: str, old: Mapping[str, Any], new: Mapping[str, Any]) -> list
 
 def pose_moved(old: Pose, new: Pose) -> Movement:
     """From one pose to the other."""
-    origin = old.matrix[:3, 3]
-    error = pose_error(new.matrix, old.matrix, origin)
+    origin, new_origin = old.matrix[:3, 3], new.matrix[:3, 3]
+    turn_rad = rotvec_from_rotation(new.matrix[:3, :3] @ old.matrix[:3, :3].T)
     chance_mm = chance_deg = None
     if old.covariance is not None and new.covariance is not None:
-        of_origins = old.covariance.of_point(origin) + new.covariance.of_point(new.matrix[:3, 3])
+        of_origins = old.covariance.of_point(origin) + new.covariance.of_point(new_origin)
         chance_mm = _chance(of_origins)
         chance_rad = _chance(old.covariance.matrix[:3, :3] + new.covariance.matrix[:3, :3])
         chance_deg = math.degrees(chance_rad)
-    turn_deg = math.degrees(float(np.linalg.norm(error[:3])))
-    return Movement(new.name, float(np.linalg.norm(error[3:])), turn_deg, chance_mm, chance_deg)
+    turn_deg = math.degrees(float(np.linalg.norm(turn_rad)))
+    return Movement(new.name, float(np.linalg.norm(new_origin - origin)), turn_deg, chance_mm, chance_deg)
 
 
 def point_moved(old: Point, new: Point) -> Movement:
@@ -150,7 +151,7 @@ def _chance(covariance: Array) -> float:
 
 
 def _beyond(moved: float | None, chance: float | None) -> bool:
-    return moved is not None and moved > (chance or 0.0)
+    return moved is not None and moved > max(chance or 0.0, ROUNDING)
 
 
 def _pose(name: str, block: Any) -> Iterator[Pose]:
