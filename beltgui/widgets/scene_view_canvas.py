@@ -128,12 +128,12 @@ class Canvas(QWidget):
                 pane.box = None  # the viewport has another shape now
         panes = []
         for number, (scene, extras) in enumerate(wanted):
-            pane = kept[number] if number < len(kept) else Pane(scene)
+            pane = kept[number] if number < len(kept) else Pane(scene, camera=first_camera(scene))
             if pane.scene is not scene:
                 anew = pane.scene.view != scene.view or pane.scene.frame != scene.frame
                 pane.scene, pane.items_sent, pane.hover_face, pane.hover_at = scene, False, None, None
                 if anew:
-                    pane.untouched, pane.box = True, None
+                    pane.untouched, pane.box, pane.camera = True, None, first_camera(scene)
             if pane.extras is not extras:
                 pane.extras, pane.extras_sent = extras, False
             panes.append(pane)
@@ -181,17 +181,15 @@ class Canvas(QWidget):
         outline = outline_of((*pane.scene.items, *pane.extras))
         if not len(outline):
             return
+        rect = self.rects()[self.panes.index(pane)]
         box = np.stack([outline.min(axis=0), outline.max(axis=0)])
         if pane.box is not None:
             size = float(np.linalg.norm(pane.box[1] - pane.box[0])) or 1.0
-            outgrown = max(float((pane.box[0] - box[0]).max()), float((box[1] - pane.box[1]).max())) > 0.02 * size
-            shrunk = float(np.linalg.norm(box[1] - box[0])) < 0.5 * size
-            if not (outgrown or shrunk):
+            pixels, depth = pane.camera.project(outline, rect.width(), rect.height())
+            inside = (pixels >= 0.0).all() and (pixels <= (rect.width(), rect.height())).all() and (depth > 0.0).all()
+            if inside and float(np.linalg.norm(box[1] - box[0])) > 0.5 * size:
                 return
-        elif pane.scene.view.split()[-1:] and pane.scene.view.split()[-1] in DIRECTIONS:
-            pane.camera = Camera.looking(pane.scene.view.split()[-1])
         pane.box = box
-        rect = self.rects()[self.panes.index(pane)]
         share = bar_share(pane.scene, QFontMetricsF(self.font()), rect.width())
         fitted = pane.camera.fitted(outline, rect.width() * (1.0 - share) / max(rect.height(), 1.0))
         pane.camera = fitted.moved(-0.5 * share * rect.width(), 0.0, rect.height())
@@ -416,6 +414,12 @@ class Canvas(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self.forget_words()
         super().changeEvent(event)
+
+
+def first_camera(scene: Scene) -> Camera:
+    """Obliquely, unless the last word of the scene's view is a direction, e.g. `base top`."""
+    last = scene.view.split()[-1:] or [""]
+    return Camera.looking(last[0] if last[0] in DIRECTIONS else "oblique")
 
 
 def outline_of(items: tuple[Item, ...]) -> NDArray[np.float64]:
