@@ -1,198 +1,435 @@
-"""The main window: rail of steps, 3D view, one primary button, verdict banner, strip of devices."""
+"""The main window: puts what the engine says where a person sees it, and what a person does before the engine."""
 
 from __future__ import annotations
 
-import tempfile
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QUrl
-from PySide6.QtGui import QCloseEvent, QDesktopServices, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QGuiApplication
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
+from beltgui.app import dialogs, language, settings
+from beltgui.app.client import EngineClient
+from beltgui.app.device_strip import DeviceStrip
+from beltgui.app.doors import Doors
+from beltgui.app.help_panel import HelpPanel
+from beltgui.app.known import Known
+from beltgui.app.language import sentence
+from beltgui.app.menus import Menus
+from beltgui.app.names import state_word
+from beltgui.app.notice import Notice
 from beltgui.app.rail import StepRail
-from beltgui.app.view3d import make_view
-from beltgui.app.worker import Work, Worker
-from beltgui.demo import DemoResult, run_demo
-from beltgui.jobs import Job
-from beltgui.steps.state import StepEvent
-from resources import blade_type_path
+from beltgui.app.start_page import Begin, StartPage
+from beltgui.app.theme import theme
+from beltgui.app.top_bar import TopBar
+from beltgui.app.tour import Tour, seen
+from beltgui.engine.messages import (
+    Cancel,
+    CellMoved,
+    Compared,
+    Crashed,
+    DevicesChanged,
+    Event,
+    Exported,
+    Hold,
+    JobEnded,
+    JobProgress,
+    JobStarted,
+    Question,
+    QuestionGone,
+    Ready,
+    Refused,
+    SessionOpened,
+    SimulateFault,
+    StepChanged,
+    Stop,
+)
+from beltgui.steps.state import STEPS, StepState
+from beltgui.widgets.words import step_word
 
-BANNER_STYLE = "padding: 10px; border-radius: 4px; font-size: 15px; color: white; background: {};"
-DEVICES = ("scanner", "stage", "robot", "grinder rough", "grinder fine")
+if TYPE_CHECKING:
+    from beltgui.wizard.page import StepPage
+
+# How long the engine may take to stop everything before the window closes without its word.
+PATIENCE_MS = 3000
 
 
 class MainWindow(QMainWindow):
-    """Commissions the simulated cell and shows how each step ends.
+    """All of the application that a person sees.
+
+    Signals:
+        closed: The window has closed and the engine is to be ended.
 
     Args:
-        config: Cell file; None takes the simulated cell's own.
-        blade_type: Which of the blade types to show and to commission with.
-        out_dir: Where the session and the report go; None makes a new folder for each run.
-        resolution: Of the simulated scanner.
-        grid: Probing points in u and v; None takes the blade type's own.
+        client: The engine; started by whoever made it.
+        make_page: Makes the page of the steps.
+        config: Cell file for new sessions; None takes the simulated cell's own.
+        person: Who works; empty takes the one who worked last.
     """
+
+    closed = Signal()
 
     def __init__(
         self,
+        client: EngineClient,
         *,
+        make_page: Callable[[QWidget], StepPage],
         config: Path | None = None,
-        blade_type: str = "dr95",
-        out_dir: Path | None = None,
-        resolution: int | str = "demo",
-        grid: tuple[int, int] | None = None,
+        person: str = "",
     ) -> None:
         super().__init__()
-        self._resolution = resolution
-        self._grid = grid
-        self._config = config
-        self._blade_type = blade_type
-        self._out_dir = out_dir
-        self._workers: list[Worker] = []
-        self._report: Path | None = None
-        self._closed = False
-        self.setWindowTitle("beltcal — simulated cell")
-        self.resize(1280, 800)
-        self._build()
+        self.setObjectName("main_window")
+        self.client = client
+        self.known = Known()
+        self.page: StepPage | None = None
+        self.tour: Tour | None = None
+        self._make_page = make_page
+        self._step = STEPS[0]
+        self._looked = False
+        self._tour_wanted = False
+        self._closing = False
+        self._engine_version = ""
+        self._build(person, config)
+        self._patience = QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.timeout.connect(self._close_now)
+        client.event.connect(self.show_event)
+        client.ended.connect(self._engine_ended)
+        client.restarted.connect(self._engine_starting)
+        self._write()
+        self._refresh()
+        self._fit_screen()
 
-    def _build(self) -> None:
+    # ---- building
+
+    def _build(self, person: str, config: Path | None) -> None:
+        self.top_bar = TopBar(self)
+        self.top_bar.stop.connect(self.stop)
+        self.top_bar.cancel.connect(lambda: self.client.send(Cancel()))
+        self.read_only_notice = Notice("read_only_notice", self)
+        self.engine_notice = Notice("engine_notice", self)
+        self.message = Notice("message", self)
+        self.start_page = StartPage(person, self)
+        self.doors = Doors(
+            self, self.client, self.start_page, config, export_lock=self._export_lock, say=self.message.say,
+            session_folder=lambda: None if self.known.session is None else self.known.session.folder,
+        )  # fmt: skip
+        self.start_page.begin.connect(lambda entered: self._begin(entered, tour=False))
+        self.start_page.begin_with_tour.connect(lambda entered: self._begin(entered, tour=True))
+        self.start_page.open_wanted.connect(self.doors.ask_open)
+        self.start_page.recent_wanted.connect(self.doors.open)
+        self.start_page.back_wanted.connect(self._show_work)
         self.rail = StepRail(self)
-        self.view = make_view(self)
-        self.banner = QLabel(self)
-        self.banner.setWordWrap(True)
-        self.start_button = QPushButton("Commission the simulated cell", self)
-        self.start_button.setMinimumHeight(48)
-        self.start_button.clicked.connect(self.start)
-        self.cancel_button = QPushButton("Cancel", self)
-        self.cancel_button.setMinimumHeight(48)
-        self.cancel_button.clicked.connect(self.cancel)
-        self.report_button = QPushButton("Open the report", self)
-        self.report_button.setMinimumHeight(48)
-        self.report_button.clicked.connect(self._open_report)
-        self.progress = QProgressBar(self)
-        self.progress.setRange(0, 1000)
-        self.progress_text = QLabel(self)
-        devices = QLabel("    ".join(f"■ {name}: simulated" for name in DEVICES), self)
-        devices.setObjectName("devices")
-
-        buttons = QHBoxLayout()
-        buttons.addWidget(self.start_button, 2)
-        buttons.addWidget(self.cancel_button)
-        buttons.addWidget(self.report_button)
-        right = QVBoxLayout()
-        right.addWidget(self.banner)
-        right.addWidget(self.view, 1)
-        right.addWidget(self.progress_text)
-        right.addWidget(self.progress)
-        right.addLayout(buttons)
-        right.addWidget(devices)
+        self.rail.chosen.connect(self.look_at)
+        self._loading = QLabel(self)
+        self._loading.setObjectName("loading")
+        self._work = QWidget(self)
+        self._work_layout = QHBoxLayout(self._work)
+        self._work_layout.setContentsMargins(0, 0, 0, 0)
+        self._work_layout.addWidget(self.rail)
+        self._work_layout.addWidget(self._loading, 1)
+        self.stack = QStackedWidget(self)
+        self.stack.addWidget(self.start_page)
+        self.stack.addWidget(self._work)
+        self.device_strip = DeviceStrip(self)
         body = QWidget(self)
-        layout = QHBoxLayout(body)
-        layout.addWidget(self.rail)
-        layout.addLayout(right, 1)
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        for widget in (self.top_bar, self.read_only_notice, self.engine_notice, self.message):
+            layout.addWidget(widget)
+        layout.addWidget(self.stack, 1)
+        layout.addWidget(self.device_strip)
         self.setCentralWidget(body)
-        self._show_idle(
-            "Calibrates a simulated cell from nothing: six steps, each checked on data kept out of its fit. "
-            "No real device moves.",
-            "#495057",
-        )
+        self.help_panel = HelpPanel(self)
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.help_panel)
+        self.help_panel.hide()
+        self.top_bar.help.connect(self.help_panel.toggleViewAction().trigger)
+        self.menus = Menus(self)
 
-    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  (Qt's name)
-        """Load the blade once the window is there; reading STEP takes a second or two."""
-        super().showEvent(event)
-        if not self._workers:
-            self._run(lambda job, _: load_blade(self._blade_type), self._show_blade)
+    def add_page(self) -> None:
+        """Make the page of the steps and show on it what is known already."""
+        page = self._make_page(self._work)
+        self._work_layout.replaceWidget(self._loading, page)
+        self._loading.deleteLater()
+        self.page = page
+        page.command.connect(self.client.send)
+        page.step_wanted.connect(self.look_at)
+        page.export_wanted.connect(self.doors.ask_export)
+        self._fill_page()
 
-    def start(self) -> None:
-        """Begin the commissioning."""
-        folder = self._out_dir or Path(tempfile.mkdtemp(prefix="beltcal_"))
+    def _fill_page(self) -> None:
+        if self.page is None:
+            return
+        self.page.forget()
+        self.page.set_read_only(self.known.read_only or not self.client.running)
+        for view in self.known.views.values():
+            self.page.show_step(view)
+        self.page.set_step(self._step)
+        self.page.set_export_lock(self._export_lock())
+        self.page.show_job(self.known.job, self.known.progress)
+        self.page.show_question(self.known.question)
+        if self.known.cell is not None:
+            self.page.show_cell(self.known.cell)
+
+    def _fit_screen(self) -> None:
+        screen = QGuiApplication.primaryScreen().availableSize()
+        self.resize(min(theme().px(1280), screen.width()), min(theme().px(800), screen.height()))
+
+    # ---- what the engine says
+
+    def show_event(self, event: Event) -> None:
+        """Show an event of the engine."""
+        self.known.note(event)
+        match event:
+            case Ready(software=software):
+                self._engine_version = software
+                self.engine_notice.hide()
+            case SessionOpened():
+                self._session_opened(event)
+            case StepChanged(view=view):
+                self._step_changed(view.step)
+            case JobStarted():
+                self.message.hide()
+                self._refresh()
+            case JobProgress():
+                self.top_bar.show_job(self.known.job, event)
+                if self.page is not None:
+                    self.page.show_job(self.known.job, event)
+            case JobEnded():
+                self._job_ended(event)
+            case Question() | QuestionGone():
+                if self.page is not None:
+                    self.page.show_question(self.known.question)
+                if isinstance(event, Question) and self.known.job is not None:
+                    self.look_at(self.known.job.step)
+            case DevicesChanged(devices=devices):
+                self.device_strip.show_devices(devices)
+            case CellMoved():
+                if self.page is not None:
+                    self.page.show_cell(event)
+            case Refused(text=text):
+                self._refused(text)
+            case Compared():
+                dialogs.CompareDialog(event, self).show()
+            case Exported():
+                dialogs.ExportedDialog(event, self).show()
+            case Crashed(text=text):
+                self._show_fault(text)
+
+    def _session_opened(self, session: SessionOpened) -> None:
+        settings.add_recent(session.folder)
+        self._looked = False
+        self._step = STEPS[0]
+        self.message.hide()
         self.rail.reset()
-        self._report = None
-        self._set_running(True)
-        self._say("Commissioning the simulated cell.", "#0b5ed7")
+        self._show_work()
+        self._fill_page()
+        self.look_at(self._step)
+        self._looked = False
+        self._write()
+        self._refresh()
+        if not session.read_only and (self._tour_wanted or not seen()):
+            self.begin_tour()
+        self._tour_wanted = False
 
-        def work(job: Job, on_step: Any) -> DemoResult:
-            return run_demo(folder, blade_type=self._blade_type, config=self._config, resolution=self._resolution,
-                            grid=self._grid, job=job, on_step=on_step)  # fmt: skip
+    def _step_changed(self, step: str) -> None:
+        view = self.known.views[step]
+        self.rail.show_view(view)
+        if self.page is not None:
+            self.page.show_step(view)
+            self.page.set_export_lock(self._export_lock())
+        if not self._looked and len(self.known.views) == len(STEPS):
+            waiting = (name for name in STEPS if self.known.views[name].state is not StepState.ACCEPTED)
+            self.look_at(next(waiting, STEPS[-1]))
 
-        self._run(work, self._show_result)
+    def _job_ended(self, event: JobEnded) -> None:
+        self._refresh()
+        match event.how:
+            case "cancelled":
+                self.message.say("warn", self.tr("Cancelled. What was taken is kept."))
+            case "stopped":
+                self.message.say("warn", self.tr("Stopped. What was taken is kept; begin again when it is safe."))
+            case "refused":
+                self.message.say("warn", sentence(event.message))
+            case "crashed":
+                self._show_fault(event.message)
+        if self._closing:
+            self._close_now()
 
-    def cancel(self) -> None:
-        """Ask the running work to end."""
-        for worker in self._workers:
-            worker.cancel()
-
-    def _run(self, work: Work, on_done: Any) -> None:
-        worker = Worker(work)
-        self._workers.append(worker)
-        worker.progressed.connect(self._show_progress)
-        worker.step_changed.connect(self._show_step)
-        worker.done.connect(on_done)
-        worker.refused.connect(lambda text: self._show_idle(f"✖ Refused: {text}", "#b02a37"))
-        worker.cancelled.connect(lambda: self._show_idle("◆ Cancelled. What was kept stays kept.", "#997404"))
-        worker.crashed.connect(self._raise)
-        worker.start()
-
-    def _raise(self, error: Exception) -> None:
-        self._show_idle("✖ The program has a fault; details are in the log.", "#b02a37")
-        raise error
-
-    def _show_progress(self, fraction: float, message: str) -> None:
-        self.progress.setValue(round(1000 * fraction))
-        self.progress_text.setText(message)
-
-    def _show_step(self, event: StepEvent) -> None:
-        self.rail.show_event(event)
-
-    def _show_result(self, result: DemoResult) -> None:
-        self._report = result.report
-        if result.accepted:
-            self._show_idle(f"✔ Accepted. {result.headline}", "#146c43")
+    def _refused(self, text: str) -> None:
+        if self.stack.currentWidget() is self.start_page:
+            self.start_page.refuse(text)
         else:
-            self._show_idle(f"✖ Rejected. {result.headline}", "#b02a37")
+            self.start_page.set_busy(False)
+            self.message.say("warn", sentence(text))
 
-    def _show_blade(self, mesh: Any) -> None:
-        if self._closed:
-            return  # what a worker sent at its very end arrives after the view has gone
-        self.view.plotter.add_mesh(mesh, name="blade", color="#adb5bd", smooth_shading=True, split_sharp_edges=True)
-        self.view.plotter.add_text(f"Blade type {self._blade_type.upper()}, {{W}}, mm", name="label", font_size=9,
-                                   color="#212529")
-        self.view.plotter.add_axes()
-        self.view.plotter.camera_position = "iso"
-        self.view.refresh()
+    def _show_fault(self, text: str) -> None:
+        self.start_page.set_busy(False)
+        self.message.say("bad", self.tr("The program has a fault. What was taken is kept."), details=text)
 
-    def _show_idle(self, text: str, colour: str) -> None:
-        self._set_running(False)
-        self._say(text, colour)
+    def _engine_ended(self, why: str) -> None:
+        self.known.engine_gone()
+        self.start_page.set_busy(False)
+        self.engine_notice.say(
+            "bad", self.tr("The engine has ended; nothing is asked of the cell any more. Everything that was taken is "
+                           "kept."), self.tr("Start it &again"), self.client.restart, details=why, stays=True,
+        )  # fmt: skip
+        self._refresh()
+        if self._closing:
+            self._close_now()
 
-    def _say(self, text: str, colour: str) -> None:
-        self.banner.setText(text)
-        self.banner.setStyleSheet(BANNER_STYLE.format(colour))
+    def _engine_starting(self) -> None:
+        self.engine_notice.say("info", self.tr("The engine is starting…"), stays=True)
 
-    def _set_running(self, running: bool) -> None:
-        self.start_button.setEnabled(not running)
-        self.cancel_button.setEnabled(running)
-        self.report_button.setEnabled(self._report is not None and not running)
-        self.progress.setVisible(running)
-        self.progress_text.setVisible(running)
+    # ---- what a person does
 
-    def _open_report(self) -> None:
-        QDesktopServices.openUrl(QUrl.fromLocalFile(str(self._report)))
+    def look_at(self, step: str) -> None:
+        """Show a step; this changes nothing."""
+        self._looked = True
+        self._step = step
+        self.rail.mark(step)
+        self.help_panel.set_step(step)
+        self.menus.mark_step(step)
+        if self.page is not None:
+            self.page.set_step(step)
+
+    def look_by(self, by: int) -> None:
+        """Show the step before (-1) or after (+1)."""
+        self.look_at(STEPS[min(max(STEPS.index(self._step) + by, 0), len(STEPS) - 1)])
+
+    def stop(self) -> None:
+        """Stop every motion at once."""
+        self.client.send(Stop())
+        if self.page is not None:
+            self.page.stop_pressed()
+        if self.tour is not None:
+            self.tour.end()
+        if not self.client.running:
+            text = self.tr("The engine has ended, so no motion is asked for. In danger use the emergency stop.")
+        elif self.known.moving:
+            text = self.tr("Stop has been sent.")
+        else:
+            text = self.tr("Stop has been sent; nothing was under way.")
+        self.message.say("warn", text)
+
+    def new_session(self) -> None:
+        """Show the start page."""
+        self.start_page.refresh(session_open=self.known.session is not None)
+        self.stack.setCurrentWidget(self.start_page)
+        self.start_page.person.setFocus()
+
+    def _begin(self, entered: Begin, *, tour: bool) -> None:
+        self._tour_wanted = tour
+        self.doors.begin(entered)
+
+    def simulate_fault(self, name: str) -> None:
+        """Let something go wrong in the simulated cell."""
+        self.client.send(SimulateFault(name))
+
+    def speak(self, code: str) -> None:
+        """Show everything in a language, and remember it."""
+        settings.keep("language", code)
+        language.install(code)
+
+    def begin_tour(self) -> None:
+        """Show around."""
+        if self.tour is None:
+            self.tour = Tour(self)
+            self.tour.ended.connect(self._tour_ended)
+
+    def _tour_ended(self) -> None:
+        self.tour = None
+
+    def show_keyboard(self) -> None:
+        """Show all shortcuts."""
+        dialogs.keyboard_dialog(self).show()
+
+    def show_about(self) -> None:
+        """Show what this is."""
+        dialogs.about_dialog(self, self._engine_version).show()
+
+    # ---- keeping the window true
+
+    def _show_work(self) -> None:
+        self.start_page.set_busy(False)
+        self.stack.setCurrentWidget(self._work)
+
+    def _refresh(self) -> None:
+        session, running = self.known.session, self.known.job is not None
+        self.top_bar.show_session(session)
+        self.top_bar.show_job(self.known.job, self.known.progress)
+        self.menus.enable(session=session is not None, running=running, read_only=self.known.read_only)
+        if self.page is not None:
+            self.page.set_read_only(self.known.read_only or not self.client.running)
+            self.page.show_job(self.known.job, self.known.progress)
+            self.page.show_question(self.known.question)
+
+    def _export_lock(self) -> tuple[str, ...]:
+        lock = []
+        for view in self.known.not_accepted():
+            if isinstance(view, str):
+                lock.append(self.tr("{step}: nothing has been taken yet.").format(step=step_word(view)))
+            else:
+                why = " ".join(sentence(line) for line in view.why)
+                lock.append(f"{step_word(view.step)}: {state_word(view.state)}. {why}".strip())
+        return tuple(lock)
+
+    def _write(self) -> None:
+        session = self.known.session
+        if self.page is None:
+            self._loading.setText(self.tr("The picture is being prepared…"))
+        if session is None:
+            self.setWindowTitle(self.tr("beltcal – simulated cell"))
+            return
+        info = session.info
+        self.setWindowTitle(self.tr("{session} – beltcal, simulated cell").format(session=Path(session.folder).name))
+        self.device_strip.show_who(session.person, str(info.get("blade_type", "")).upper(), str(info.get("serial", "")))
+        if session.read_only:
+            self.read_only_notice.say("info", self.tr("Read-only: you look at this session, nothing can be changed."),
+                                      stays=True)  # fmt: skip
+        else:
+            self.read_only_notice.hide()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802  (Qt's name)
+        """Follow the language; a motion that is held ends when the window is left."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self.menus.write()
+            self.menus.mark_step(self._step)
+            self._write()
+            self._refresh()
+            if self.page is not None:
+                self.page.set_export_lock(self._export_lock())
+        elif event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow() and self.known.job is not None:
+            self.client.send(Hold(False))
+
+    # ---- closing
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802  (Qt's name)
-        """End the work and free the view before the window goes."""
-        self.cancel()
-        for worker in self._workers:
-            worker.wait()
-        self._closed = True
-        self.view.shut_down()
-        super().closeEvent(event)
+        """Stop what moves, then close; nothing needs saving."""
+        if self.known.moving and self.client.running and not self._closing:
+            self._closing = True
+            self.client.send(Hold(False))
+            self.client.send(Stop())
+            self.stack.setEnabled(False)
+            self.message.say("warn", self.tr("Stopping, then closing. Everything is kept; nothing needs saving."),
+                             stays=True)  # fmt: skip
+            self._patience.start(PATIENCE_MS)
+            event.ignore()
+            return
+        if self._closing and self._patience.isActive():
+            event.ignore()  # it is waited for already
+            return
+        event.accept()
+        if self.tour is not None:
+            self.tour.end()
+        if self.page is not None:
+            self.page.shut_down()
+        self.closed.emit()
 
-
-def load_blade(blade_type: str) -> Any:
-    """The blade as a pyvista mesh (mm, {W}), tessellated from its STEP file."""
-    from beltgui.report.scenes import blade_mesh
-    from core.cad import read_step
-    from core.cad.blade_type import read_blade_type
-
-    return blade_mesh(read_step(read_blade_type(blade_type_path(blade_type)).step_path))
+    def _close_now(self) -> None:
+        self._patience.stop()
+        self.close()

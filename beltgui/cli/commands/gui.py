@@ -17,6 +17,10 @@ def add(commands: Commands) -> None:
     parser = add_command(commands, "gui", "the application", "Opens the application.", run, writes_file=False)
     parser.add_argument("--sim", action="store_true", help="work on the simulated cell")
     parser.add_argument("--config", metavar="CELL.toml", help="the cell")
+    parser.add_argument("--session", metavar="FOLDER", help="open this session at once")
+    parser.add_argument("--person", metavar="NAME", help="who works; kept with every decision")
+    parser.add_argument("--theme", choices=("system", "light", "dark"), help="colours; remembered")
+    parser.add_argument("--language", choices=("en", "zh_CN"), help="language of the screen; remembered")
 
 
 def run(args: argparse.Namespace, job: Job) -> int:
@@ -25,6 +29,15 @@ def run(args: argparse.Namespace, job: Job) -> int:
 
     if args.config is not None:
         check_input(args.config)
+    if args.session is not None:
+        check_input(str(Path(args.session) / "session.db"))
     from beltgui.app.main import run as run_application
 
-    return run_application(sim=args.sim, config=Path(args.config) if args.config else None)
+    return run_application(
+        sim=args.sim,
+        config=Path(args.config) if args.config else None,
+        session=Path(args.session) if args.session else None,
+        person=(args.person or "").strip(),
+        theme=args.theme or "",
+        language=args.language or "",
+    )
