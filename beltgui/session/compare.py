@@ -59,7 +59,8 @@ def _number(step: str, here: Figure | None, there: Figure | None) -> ComparedRow
     known = here or there
     assert known is not None
     if here is None or there is None:
-        return ComparedRow(step, known.name, here and here.value, there and there.value, None, known.unit)
+        value_here, value_there = (None if figure is None else figure.value for figure in (here, there))
+        return ComparedRow(step, known.name, value_here, value_there, None, known.unit)
     chance = None
     if here.sigma is not None and there.sigma is not None:
         chance = COVERAGE * (here.sigma**2 + there.sigma**2) ** 0.5

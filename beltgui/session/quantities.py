@@ -140,8 +140,9 @@ def pose_moved(old: Pose, new: Pose) -> Movement:
 
 def point_moved(old: Point, new: Point) -> Movement:
     """From one point to the other."""
-    known = old.covariance_mm2 is not None and new.covariance_mm2 is not None
-    chance_mm = _chance(old.covariance_mm2 + new.covariance_mm2) if known else None
+    chance_mm = None
+    if old.covariance_mm2 is not None and new.covariance_mm2 is not None:
+        chance_mm = _chance(old.covariance_mm2 + new.covariance_mm2)
     return Movement(new.name, float(np.linalg.norm(new.position_mm - old.position_mm)), None, chance_mm, None)
 
 
@@ -160,8 +161,8 @@ def _pose(name: str, block: Any) -> Iterator[Pose]:
         return
     covariance = _array(_at(block, "covariance"), (6, 6))
     about = _array(_at(block, "covariance_about_mm"), (3,))
-    known = covariance is not None and about is not None
-    yield Pose(name, matrix, PoseCovariance(covariance, about) if known else None)
+    known = None if covariance is None or about is None else PoseCovariance(covariance, about)
+    yield Pose(name, matrix, known)
 
 
 def _figure(name: str, value: Any, sigma: Any = None) -> Iterator[Figure]:

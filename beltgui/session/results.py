@@ -93,7 +93,7 @@ def insert(
         "person": person,
         "software": __version__,
     }
-    return int(connection.execute(_result.insert().values(row)).inserted_primary_key[0])
+    return int(connection.execute(_result.insert().values(row).returning(_result.c.id)).scalar_one())
 
 
 def check_acceptable(connection: Connection, step: str, latest: StoredResult | None) -> StoredResult:

@@ -26,7 +26,7 @@ def insert(connection: Connection, step: str, kind: str, data: str) -> int:
         "included": True,
         "deleted": False,
     }
-    return int(connection.execute(_sample.insert().values(row)).inserted_primary_key[0])
+    return int(connection.execute(_sample.insert().values(row).returning(_sample.c.id)).scalar_one())
 
 
 def set_cloud(connection: Connection, number: int, cloud: str) -> None:

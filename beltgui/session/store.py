@@ -265,12 +265,11 @@ class Session:
         step: str,
         record: Mapping[str, Any],
         *,
-        ok: bool | None = None,
+        ok: bool,
         headline: str = "",
         stands_on: Mapping[str, int] | None = None,
         basis: Basis | None = None,
         person: str = "",
-        accepted: bool | None = None,
     ) -> StoredResult:
         """Keep a result; earlier ones stay.
 
@@ -282,7 +281,6 @@ class Session:
             stands_on: Number of the result of each earlier step that it used.
             basis: What it was solved from; None takes the samples and settings as they are now.
             person: Who works.
-            accepted: Stands for `ok`, and accepts the result at once.
 
         Raises:
             ValueError: the record holds NaN or infinity.
@@ -294,13 +292,11 @@ class Session:
                 step,
                 text,
                 basis or self._samples.basis(connection, step),
-                ok=bool(ok or accepted),
+                ok=ok,
                 headline=headline,
                 stands_on=stands_on or {},
                 person=person,
             )
-            if accepted:
-                self._results.decide(connection, step, person, self._results.ACCEPTED, number)
         stored = self.stored(number)
         assert stored is not None
         return stored

@@ -86,7 +86,7 @@ def acceptance_lock(session: Session, step: str) -> tuple[str, ...]:
     return reasons if latest.ok else (_rejected(step), *reasons)
 
 
-def foundation(session: Session, step: str) -> dict[str, int]:
+def stands_on(session: Session, step: str) -> dict[str, int]:
     """The results that the step stands on, as `put_result` wants them.
 
     Raises:
@@ -201,33 +201,35 @@ class _Graph:
     # ---- what moved
 
     def _newer(self, need: str, old_id: int | None) -> StoredResult | None:
-        """The result that takes the place of the one stood on: accepted, or solved and waiting."""
+        """The result that takes the place of the one stood on: solved and waiting, or accepted."""
         shown = self.of(need)
-        if shown.accepted is not None and shown.accepted.id != old_id:
-            return shown.accepted
-        latest = shown.latest
-        waiting = latest is not None and latest.id != old_id and latest.ok and self._is_current(need, latest)
-        return latest if waiting else None
+        latest, accepted = shown.latest, shown.accepted
+        if latest is not None and latest.ok and not self._valid[need] and self._is_current(need, latest):
+            return latest if latest.id != old_id else None
+        return accepted if accepted is not None and accepted.id != old_id else None
 
     def _what_moved(self, need: str, old_id: int | None) -> tuple[str, ...]:
-        title, newer = TITLES[need], self._newer(need, old_id)
+        title, shown, newer = TITLES[need], self.of(need), self._newer(need, old_id)
         old = None if old_id is None else self._snapshot.results.get(old_id)
+        latest = shown.latest
+        if latest is not None and self._is_current(need, latest) and not self._valid[need]:
+            if not latest.ok:
+                return (f"{title} is rejected.",)
+            if old is None or latest.id == old_id:
+                return (f"{title} waits to be accepted.",)
         if newer is None:
-            state = "rejected" if self._is_rejected(need) else "stale" if self.of(need).accepted else "not accepted"
-            return (f"{title} is {state}.",)
-        again = newer is self.of(need).accepted
+            return (f"{title} is {'stale' if shown.accepted else 'not accepted'}.",)
         if old is None:
-            return (f"{title} was accepted after this was solved." if again else f"{title} waits to be accepted.",)
-        happened = f"{title} was accepted again" if again else f"{title} was solved again and waits to be accepted"
+            return (f"{title} was accepted after this was solved.",)
+        happened = f"{title} was solved again and waits to be accepted"
+        if newer is shown.accepted:
+            again = newer.id > old.id
+            happened = f"{title} was accepted again" if again else f"{title} went back to its accepted result"
         moved = [_told(movement) for movement in movements(need, old.record, newer.record)]
         sentences = [f"{happened}: {'; '.join(moved)}." if moved else f"{happened}."]
-        if again and not self._valid[need]:
+        if newer is shown.accepted and not self._valid[need]:
             sentences.append(f"{title} is stale.")
         return tuple(sentences)
-
-    def _is_rejected(self, need: str) -> bool:
-        latest = self.of(need).latest
-        return latest is not None and not latest.ok and self._is_current(need, latest)
 
     def _needs_samples(self, step: str, result: StoredResult) -> bool:
         """False if solving again from the samples that are there will do.

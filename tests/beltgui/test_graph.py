@@ -11,7 +11,7 @@ import pytest
 
 from beltgui.session import Session
 from beltgui.steps import graph
-from beltgui.steps.graph import NEEDS, acceptance_lock, export_lock, foundation, standing
+from beltgui.steps.graph import NEEDS, acceptance_lock, export_lock, standing, stands_on
 from beltgui.steps.state import STEPS, StepState
 from core.errors import InputError
 from core.frames import Array, rigid, rotation_from_rotvec
@@ -48,7 +48,7 @@ def solve(session: Session, step: str, x_mm: float = 0.0, turn_deg: float = 0.0,
     """Keep a result of the present samples; returns its number."""
     return session.put_result(
         step, record(step, x_mm, turn_deg, ok), ok=ok, headline=f"{step} 0.01 mm",
-        stands_on=foundation(session, step), person=PERSON,
+        stands_on=stands_on(session, step), person=PERSON,
     ).id  # fmt: skip
 
 
@@ -133,9 +133,9 @@ def test_a_rejected_result_is_a_failure_with_its_reasons(session: Session) -> No
 
 def test_nothing_begins_on_what_is_not_accepted(session: Session) -> None:
     with pytest.raises(InputError, match="Base needs Ball, which is not accepted yet"):
-        foundation(session, "base")
+        stands_on(session, "base")
     ball = run(session, "ball")
-    assert foundation(session, "base") == {"ball": ball}
+    assert stands_on(session, "base") == {"ball": ball}
 
 
 # ---- what makes stale
@@ -185,7 +185,7 @@ def test_the_way_back_names_what_moved_and_by_how_much(finished: Session) -> Non
     assert not found["fine"].can_begin
     assert acceptance_lock(finished, "base") == (moved,)
     with pytest.raises(InputError, match="Fine workpiece needs Base, which is stale"):
-        foundation(finished, "fine")
+        stands_on(finished, "fine")
     for step in ("base", "rough", "fine", "error_surface"):
         assert states(finished)[step] == "stale"
         solve(finished, step)
@@ -263,6 +263,25 @@ def test_a_result_that_does_not_say_what_it_stands_on_is_not_valid(session: Sess
     session.accept("base", PERSON)
     assert standing(session)["base"].why[0] == "Ball was accepted after this was solved."
     assert states(session)["base"] == "stale"
+
+
+def test_a_step_may_be_solved_on_what_waits_to_be_accepted(finished: Session) -> None:
+    """The screen solves ahead; it counts once what it stands on is accepted."""
+    finished.include(1, False, PERSON)
+    waiting = solve(finished, "ball", x_mm=0.012)
+    finished.put_result("base", record("base"), ok=True, stands_on={"ball": waiting})
+    assert standing(finished)["base"].why[0] == "Ball waits to be accepted."
+    assert acceptance_lock(finished, "base") == ("Ball waits to be accepted.",)
+    finished.undo("ball", PERSON)
+    assert export_lock(finished) == ()  # what was accepted stands as before
+    assert acceptance_lock(finished, "base") == (
+        "Ball went back to its accepted result: measure_from_scanner moved by 0.012 mm and 0.000 deg.",
+    )
+    finished.redo("ball", PERSON)
+    finished.accept("ball", PERSON)
+    assert (states(finished)["base"], acceptance_lock(finished, "base")) == ("running", ())
+    finished.accept("base", PERSON)
+    assert states(finished)["base"] == "accepted"
 
 
 def test_what_was_never_accepted_goes_stale_too(session: Session) -> None:
