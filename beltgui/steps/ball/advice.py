@@ -20,7 +20,7 @@ LINEAR_STEPS, ROTARY_STEPS = 7, 7
 # The ball stays clear of the volume's edge by this much.
 MARGIN_MM = 15.0
 # A smaller share is not worth a scan.
-LEAST_GAIN = 0.02
+LEAST_GAIN = 0.05
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class StageAdvice:
     after_mm: float
 
 
-def advise(fit: StageFit, plan: CellPlan, missing: Sequence[ScanPose]) -> StageAdvice | None:
+def advise(fit: StageFit, plan: CellPlan, missing: Sequence[ScanPose], sigma_mm: float) -> StageAdvice | None:
     """The missing planned pose that helps most, or, with all of them there, the best position within the travel.
 
     One more ball seen with Jacobian J and noise S turns the covariance C into `C - C J^T (S + J C J^T)^-1 J C`. The
@@ -53,6 +53,7 @@ def advise(fit: StageFit, plan: CellPlan, missing: Sequence[ScanPose]) -> StageA
         fit: So far.
         plan: Travel, scanner and scans.
         missing: Planned poses without a scan.
+        sigma_mm: Noise of each coordinate of a ball's centre.
 
     Returns:
         None if the fit has no covariance, or no position within the travel gains enough.
@@ -61,9 +62,9 @@ def advise(fit: StageFit, plan: CellPlan, missing: Sequence[ScanPose]) -> StageA
         opens = _opened(fit, pose.stage)
         if opens:
             return StageAdvice(pose, True, opens, float("nan"), float("nan"))
-    if fit.model_covariance is None or fit.sigma_mm is None:
+    if fit.model_covariance is None:
         return None
-    design = _Design(fit, fit.model_covariance, fit.sigma_mm, _targets(fit, plan))
+    design = _Design(fit, fit.model_covariance, sigma_mm, _targets(fit, plan))
     if missing:
         positions = [pose.stage for pose in missing]
     else:

@@ -54,7 +54,9 @@ def content(bench: Bench, outcome: BallOutcome | None, error: str) -> StepConten
     )
     if outcome is None:
         return replace(shown, headline=progress, scene=scene_of_scan(bench.plan, scans))
-    advice = advise(outcome.stage, bench.plan, [pose for slot, pose in enumerate(wanted) if _absent(scans, slot)])
+    absent = [pose for slot, pose in enumerate(wanted) if _absent(scans, slot)]
+    sigma_mm = float(np.sqrt(np.mean([np.trace(scan.sphere.covariance_mm2) / 3.0 for scan in outcome.fitted])))
+    advice = advise(outcome.stage, bench.plan, absent, sigma_mm)
     return replace(
         shown,
         numbers=numbers(outcome, worst_point_sigma(outcome.stage, bench.plan)),

@@ -31,7 +31,7 @@ class BaseRoom:
 
     def headline(self, outcome: BaseOutcome) -> str:
         """How well the ball is predicted in poses that were not fitted."""
-        return f"held-out ball {outcome.held_out.rms_mm:.3f} mm RMS"
+        return step.headline(outcome)
 
     def view(self, bench: Bench, outcome: BaseOutcome | None, error: str = "") -> StepContent:
         """What the screen shows; see `Room.view`."""

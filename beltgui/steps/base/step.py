@@ -154,3 +154,10 @@ def record(outcome: BaseOutcome) -> dict[str, Any]:
         "returned_mm": plain(outcome.returned_mm),
         "verdict": verdict_block(outcome.verdict),
     }
+
+
+def headline(outcome: BaseOutcome) -> str:
+    """How well the ball is predicted in poses that were not fitted."""
+    if not len(outcome.held_out.errors_mm):
+        return f"fitted ball {outcome.fit.rms_mm:.3f} mm RMS, nothing held out"
+    return f"held-out ball {outcome.held_out.rms_mm:.3f} mm RMS"

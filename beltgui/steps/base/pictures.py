@@ -1,0 +1,119 @@
+"""Picture and plots of the base step."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beltgui.steps.ball.found import BallScan
+from beltgui.steps.ball.rows import use_of
+from beltgui.steps.base.advice import PoseAdvice
+from beltgui.steps.base.step import BaseOutcome, by_robot, by_scanner
+from beltgui.steps.views import drawing
+from beltgui.steps.views.common import ROLE_OF_USE, marks_by_use
+from beltgui.viewmodel.plot import LimitLine, Marks, Plot
+from beltgui.viewmodel.scene import Item, Points, Role, Scene
+from beltgui.viewmodel.step import Use
+from core.base import BaseLimits
+
+Array = NDArray[np.float64]
+TRIAD_MM = 25.0
+# The largest residual is drawn about this long.
+RESIDUAL_LENGTH_MM = 60.0
+LEGEND = (
+    (Role.FIT, "ball by the robot, and its distance to the ball by the scanner"),
+    (Role.SCAN, "ball by the scanner"),
+    (Role.HELD_OUT, "pose kept out of the fit"),
+    (Role.EXCLUDED, "pose left out"),
+    (Role.SUGGESTION, "pose that would add most"),
+)
+
+
+def scene(outcome: BaseOutcome, advice: PoseAdvice | None, planned: int, ball_radius_mm: float) -> Scene:
+    """Robot base, flange poses, the balls by robot and scanner, and {M}, in {B}."""
+    fit = outcome.fit
+    shown = [scan for scan in outcome.scans if scan.id in outcome.misses_mm]
+    items: list[Item | None] = [
+        drawing.frame("B", np.eye(4), 120.0),
+        drawing.robot_base("robot", np.eye(4)),
+        drawing.frame("M", fit.base_from_measure, 80.0),
+        *drawing.triads("flange", [scan.base_from_flange for scan in shown], TRIAD_MM),
+    ]
+    if shown:
+        seen = np.array([by_scanner(fit, outcome.balls_mm[scan.id]) for scan in shown])
+        items.append(drawing.spheres("balls by the scanner", seen, ball_radius_mm, Role.SCAN, 0.35))
+    for use in Use:
+        items += _of_use(outcome, [scan for scan in shown if use_of(scan, planned) is use], use, shown, ball_radius_mm)
+    if shown:
+        away = np.array([outcome.misses_mm[scan.id] for scan in shown])
+        middle = np.mean([by_robot(fit, scan) for scan in shown], axis=0)
+        at = middle + np.array([0.0, 0.0, 200.0])
+        times = drawing.exaggeration(away, RESIDUAL_LENGTH_MM)
+        items.append(drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"))
+    items += _suggested(advice)
+    title = "The ball on the flange, seen in many robot poses"
+    return drawing.scene(title, "B", items, view="base", legend=LEGEND)
+
+
+def _of_use(
+    outcome: BaseOutcome, scans: list[BallScan], use: Use, shown: list[BallScan], ball_radius_mm: float
+) -> list[Item]:
+    if not scans:
+        return []
+    times = drawing.exaggeration(np.array([outcome.misses_mm[scan.id] for scan in shown]), RESIDUAL_LENGTH_MM)
+    robot = np.array([by_robot(outcome.fit, scan) for scan in scans])
+    away = np.array([outcome.misses_mm[scan.id] for scan in scans])
+    flanges = np.array([scan.base_from_flange[:3, 3] for scan in scans])
+    role = ROLE_OF_USE[use]
+    return [
+        drawing.spheres(f"balls by the robot, {use.value}", robot, 0.6 * ball_radius_mm, role, 1.0),
+        drawing.segments(f"flange to ball, {use.value}", flanges, robot, Role.MUTED, 1.0),
+        drawing.exaggerated(f"residuals, {use.value}", robot - away, away, times, role, 3.0),
+        Points(f"flange origins, {use.value}", drawing.display(flanges), role, size_px=7.0),
+    ]
+
+
+def _suggested(advice: PoseAdvice | None) -> list[Item]:
+    if advice is None:
+        return []
+    pose = advice.pose.base_from_flange
+    return [
+        drawing.flange("suggested flange", pose, Role.SUGGESTION),
+        *drawing.triads("suggested", [pose], 2.0 * TRIAD_MM, 3.0),
+        drawing.label("suggested label", pose[:3, 3], f"next: {advice.pose.name}", Role.SUGGESTION),
+    ]
+
+
+def plots(outcome: BaseOutcome, planned: int) -> tuple[Plot, ...]:
+    """Residual of each pose, its components, and each pose predicted from the others."""
+    number = {scan.id: float(index) for index, scan in enumerate(outcome.scans, start=1)}
+    lengths = [
+        (use_of(scan, planned), scan.id, number[scan.id], float(np.linalg.norm(outcome.misses_mm[scan.id])))
+        for scan in outcome.scans if scan.id in outcome.misses_mm
+    ]  # fmt: skip
+    alone = [
+        (Use.FIT, scan.id, number[scan.id], float(error))
+        for scan, error in zip(outcome.fitted, outcome.fit.leave_one_out_mm, strict=True)
+    ]
+    held = [row for row in lengths if row[0] is Use.HELD_OUT]
+    limits = BaseLimits()
+    return (
+        Plot("residuals", "Residuals", "scan", "ball by robot off ball by scanner, mm", marks_by_use(lengths),
+             (LimitLine(outcome.held_out.limit_mm, "limit of the held-out RMS"),)),
+        Plot("components", "Components", "scan", "ball by robot less by scanner in {B}, mm",
+             _components(outcome, number)),
+        Plot("predicted", "Predicted", "scan", "distance from the prediction by all others, mm",
+             marks_by_use([*alone, *held]),
+             (LimitLine(limits.outlier_mm, "limit where the others contradict"),
+              LimitLine(limits.worst_leave_one_out_mm, "limit of any"))),
+    )  # fmt: skip
+
+
+def _components(outcome: BaseOutcome, number: dict[int, float]) -> tuple[Marks, ...]:
+    ids = tuple(scan.id for scan in outcome.scans if scan.id in outcome.misses_mm and scan.included)
+    if not ids:
+        return ()
+    away = np.array([outcome.misses_mm[sample] for sample in ids])
+    x = np.array([number[sample] for sample in ids])
+    roles = ((0, Role.X, "x"), (1, Role.Y, "y"), (2, Role.Z, "z"))
+    return tuple(Marks(x, away[:, index], role, name, ids) for index, role, name in roles)
