@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from beltgui.app import dialogs, language, settings
 from beltgui.app.client import EngineClient
@@ -426,6 +426,8 @@ class MainWindow(QMainWindow):
         event.accept()
         if self.tour is not None:
             self.tour.end()
+        for dialog in self.findChildren(QDialog):
+            dialog.close()
         if self.page is not None:
             self.page.shut_down()
         self.closed.emit()
