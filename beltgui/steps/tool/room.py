@@ -31,10 +31,7 @@ class ToolRoom:
 
     def headline(self, outcome: ToolOutcome) -> str:
         """How well the worst grinder's mark is predicted by what was not fitted to it."""
-        if not outcome.shafts_held_out:
-            return f"stylus {outcome.stylus.rms_mm:.3f} mm RMS"
-        held = max(held.rms_mm for held in outcome.shafts_held_out.values())
-        return f"held-out shaft mark {held:.3f} mm RMS"
+        return step.headline(outcome)
 
     def view(self, bench: Bench, outcome: ToolOutcome | None, error: str = "") -> StepContent:
         """What the screen shows; see `Room.view`."""

@@ -200,3 +200,11 @@ def record(outcome: ToolOutcome) -> dict[str, Any]:
         "head_rests_deg": {name: degrees(angles) for name, angles in outcome.rests_rad.items()},
         "verdict": verdict_block(outcome.verdict),
     }
+
+
+def headline(outcome: ToolOutcome) -> str:
+    """How well the worst grinder's mark is predicted by what was not fitted to it."""
+    held = [held.rms_mm for held in outcome.shafts_held_out.values() if len(held.errors_mm)]
+    if not held:
+        return f"fitted stylus {outcome.stylus.rms_mm:.3f} mm RMS"
+    return f"held-out shaft mark {max(held):.3f} mm RMS"
