@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from beltgui.app.theme import px, theme
@@ -119,10 +119,6 @@ class Banner(QFrame):
         self._kind = None
         self.say(kind, headline, lines)
 
-    def sizeHint(self) -> QSize:  # noqa: N802
-        """As high as the text needs, up to the largest height."""
-        return QSize(px(300), self._height())
-
     def _build(self) -> None:
         self.word = QLabel(self)
         self.word.setProperty("title", "2")
@@ -142,6 +138,7 @@ class Banner(QFrame):
         self._scroll.setWidgetResizable(True)
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll.setMinimumHeight(0)
         self._scroll.setWidget(self.body)
         self._scroll.viewport().setAutoFillBackground(False)
         self.body.setAutoFillBackground(False)
@@ -160,19 +157,21 @@ class Banner(QFrame):
         QGuiApplication.clipboard().setText(self.text())
 
     def _fit(self) -> None:
-        self.body.setMinimumHeight(self.body.heightForWidth(self._text_width()))
-        self.updateGeometry()
+        height = self._height()
+        if height != self.height():
+            self.setFixedHeight(height)
 
     def _text_width(self) -> int:
-        return max(self.width() - px(46), px(120))
+        return max(self.width() - px(34), px(120))
 
     def _height(self) -> int:
+        self.ensurePolished()
         head = max(self.word.heightForWidth(max(self._text_width() - self.copy_button.sizeHint().width(), 60)),
                    self.copy_button.sizeHint().height())  # fmt: skip
         body = self.body.heightForWidth(self._text_width()) if self.body.text() else 0
         return min(head + body + px(26), px(210))
 
-    def resizeEvent(self, event: object) -> None:  # noqa: N802
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """Other line breaks at another width."""
-        super().resizeEvent(event)  # type: ignore[arg-type]
+        super().resizeEvent(event)
         self._fit()

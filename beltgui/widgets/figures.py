@@ -25,8 +25,3 @@ def plain_number(value: float | None) -> str:
     if value is None or not math.isfinite(value):
         return DASH
     return f"{value:.4g}"
-
-
-def headed(title: str, unit: str) -> str:
-    """A heading with the unit in brackets."""
-    return f"{title} ({unit})" if unit else title

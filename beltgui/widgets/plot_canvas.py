@@ -15,7 +15,7 @@ from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px, theme
 from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Plot, Series
 from beltgui.viewmodel.scene import Role
-from beltgui.widgets.plot_items import colour_map, fill_item, make_item, sign
+from beltgui.widgets.plot_items import NO_SAMPLE, colour_map, fill_item, make_item, sign
 
 
 class PlotCanvas(QWidget):
@@ -34,7 +34,7 @@ class PlotCanvas(QWidget):
         self._kinds: list[type] = []
         self._limits: list[Any] = []
         self._bar: Any = None
-        self._chosen = -1
+        self._chosen: int | None = None
         self.legend = QLabel(self)
         self.legend.setTextFormat(Qt.TextFormat.RichText)
         self.legend.setWordWrap(True)
@@ -74,11 +74,11 @@ class PlotCanvas(QWidget):
         self._draw_words(plot)
         self.choose(self._chosen)
 
-    def choose(self, sample_id: int) -> None:
-        """Ring the marks of a sample; -1 for none."""
+    def choose(self, sample_id: int | None) -> None:
+        """Ring the marks of a sample; None for none."""
         self._chosen = sample_id
         places: list[tuple[float, float]] = []
-        for series in self._plot.series if self._plot is not None and sample_id >= 0 else ():
+        for series in self._plot.series if self._plot is not None and sample_id is not None else ():
             if isinstance(series, Marks) and sample_id in series.sample_ids:
                 place = series.sample_ids.index(sample_id)
                 x, y = float(series.x[place]), float(series.y[place])
@@ -129,7 +129,7 @@ class PlotCanvas(QWidget):
             self.graph.addItem(item)
 
     def _clicked(self, item: Any, points: Any, event: Any) -> None:
-        if len(points) and points[0].data() >= 0:
+        if len(points) and points[0].data() != NO_SAMPLE:
             self.chosen.emit(int(points[0].data()))
 
     def _draw_limits(self, plot: Plot) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor
 from beltgui.app.theme import colour
 from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Series
 from beltgui.viewmodel.scene import Role, Scale
+from beltgui.widgets.scene_draw_colours import TABLES
 
 # A role is told by shape too, not by colour alone: (pyqtgraph's symbol, sign in the legend).
 SYMBOLS = {
@@ -27,6 +28,8 @@ SYMBOLS = {
 USUAL = ("o", "●")
 # Above this many marks they are drawn small and without outlines.
 MANY = 500
+# What a mark that stands for no sample carries (samples' ids may be negative).
+NO_SAMPLE = -(2**31)
 MARK_PX = 9
 SMALL_PX = 4
 
@@ -76,7 +79,7 @@ def fill_item(item: Any, series: Series) -> None:
 def _fill_marks(item: Any, series: Marks) -> None:
     x, y = _floats(series.x), _floats(series.y)
     good = np.isfinite(x) & np.isfinite(y)
-    ids = np.asarray(series.sample_ids, int) if len(series.sample_ids) == len(x) else np.full(len(x), -1)
+    ids = np.asarray(series.sample_ids, int) if len(series.sample_ids) == len(x) else np.full(len(x), NO_SAMPLE)
     many = len(x) > MANY
     symbol = SYMBOLS.get(series.role, USUAL)[0]
     ink = QColor(colour(series.role))
@@ -95,12 +98,9 @@ def _fill_map(item: Any, series: Map) -> None:
 
 
 def colour_map(scale: Scale) -> pg.ColorMap:
-    """Blue over grey to red about 0, or dark to bright: told apart by those who see no red or green too."""
-    if scale.kind == "diverging":
-        inks = [(33, 80, 170), (120, 165, 215), (222, 222, 222), (226, 150, 115), (165, 30, 40)]
-    else:
-        inks = [(68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37)]
-    return pg.ColorMap(np.linspace(0.0, 1.0, len(inks)), inks)
+    """The same colours as in the 3D picture."""
+    table = TABLES[scale.kind]
+    return pg.ColorMap(np.linspace(0.0, 1.0, len(table)), table)
 
 
 def _pale(role: Role, alpha: int) -> QColor:

@@ -25,7 +25,7 @@ class PlotsArea(QWidget):
         self._plots: dict[str, Plot] = {}
         self._canvases: dict[str, PlotCanvas] = {}
         self._waiting: set[str] = set()
-        self._chosen = -1
+        self._chosen: int | None = None
         self.tabs = QTabWidget(self)
         self.tabs.setObjectName("plot_tabs")
         self.tabs.setDocumentMode(True)
@@ -55,8 +55,8 @@ class PlotsArea(QWidget):
         self.whole_button.setVisible(bool(plots))
         self._show_current()
 
-    def choose(self, sample_id: int) -> None:
-        """Ring a sample's marks; -1 for none."""
+    def choose(self, sample_id: int | None) -> None:
+        """Ring a sample's marks; None for none."""
         self._chosen = sample_id
         for canvas in self._canvases.values():
             canvas.choose(sample_id)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
@@ -12,6 +12,8 @@ from beltgui.widgets.hold_button import HoldButton
 from beltgui.widgets.pictures import Picture
 
 SPEED_LIMIT_MM_S = 250.0
+# While the button is held this is said again and again: a screen that hangs lets the robot stop.
+ALIVE_MS = 150
 
 
 class QuestionPanel(QFrame):
@@ -33,6 +35,9 @@ class QuestionPanel(QFrame):
         self._question: Question | None = None
         self._answered = False
         self._holding = False
+        self._alive = QTimer(self)
+        self._alive.setInterval(ALIVE_MS)
+        self._alive.timeout.connect(lambda: self.command.emit(Hold(True)))
         self._build()
         self.setVisible(False)
         self.retranslate()
@@ -78,7 +83,7 @@ class QuestionPanel(QFrame):
         self.hold_button.setToolTip(self.tr("The robot moves only while you hold this button or the Space key"))
         self.series.setText(self.tr("the whole series of this step"))
         self.series.setToolTip(self.tr("Do not ask again for the following motions of this step"))
-        self.stop_hint.setText(self.tr("Stop is always there: top right, or the Esc key. It is no safety function."))
+        self.stop_hint.setText(self.tr("Stop: top right, or Esc. It is no safety function."))
         for widget in (self.done_button, self.not_now_button, self.move_button, self.hold_button, self.series):
             widget.setAccessibleName(widget.text().replace("&", ""))
         if self._question is not None:
@@ -97,7 +102,7 @@ class QuestionPanel(QFrame):
         self.stop_hint.setProperty("tone", "muted")
         for label in (self.title, self.instruction, self.motion, self.stop_hint):
             label.setWordWrap(True)
-        self.picture = Picture(self, height=110)
+        self.picture = Picture(self, height=84)
         self.picture.setObjectName("question_picture")
         self.series = QCheckBox(self)
         self.series.setObjectName("question_series")
@@ -122,8 +127,10 @@ class QuestionPanel(QFrame):
         for widget in (self.title, self.picture, self.instruction, self.motion, self.series):
             layout.addWidget(widget)
         layout.addLayout(buttons)
-        layout.addWidget(self.not_now_button)
-        layout.addWidget(self.stop_hint)
+        last = QHBoxLayout()
+        last.addWidget(self.stop_hint, 1)
+        last.addWidget(self.not_now_button, 0, Qt.AlignmentFlag.AlignRight)
+        layout.addLayout(last)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
 
     def _button(self, name: str, *, primary: bool) -> QPushButton:
@@ -195,10 +202,14 @@ class QuestionPanel(QFrame):
     def _held(self, held: bool) -> None:
         if self._question is None or not (self._holding or not self._answered):
             return
-        self.command.emit(Hold(held))
         if held and not self._answered:
             self._holding = True
             self._answer(Answer(self._number(), yes=True, hold=True, for_series=self.series.isChecked()))
+        self.command.emit(Hold(held))
+        if held:
+            self._alive.start()
+        else:
+            self._alive.stop()
 
     def _drop_hold(self) -> None:
         self.hold_button.let_go()

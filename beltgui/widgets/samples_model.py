@@ -20,7 +20,7 @@ from beltgui.app.language import sentence
 from beltgui.app.theme import colour
 from beltgui.viewmodel.scene import Role
 from beltgui.viewmodel.step import Column, SampleRow, Use
-from beltgui.widgets.figures import DASH, headed, number
+from beltgui.widgets.figures import DASH, number
 from beltgui.widgets.words import flag_word, use_word
 
 Index = QModelIndex | QPersistentModelIndex
@@ -72,6 +72,11 @@ class SamplesModel(QAbstractTableModel):
         if self._rows:
             self.dataChanged.emit(self.index(0, 0), self.index(len(self._rows) - 1, 0))
 
+    @property
+    def editable(self) -> bool:
+        """Whether tick boxes can be clicked."""
+        return self._editable
+
     def refresh(self) -> None:
         """Words or colours have changed."""
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self.columnCount() - 1)
@@ -107,7 +112,7 @@ class SamplesModel(QAbstractTableModel):
             return QCoreApplication.translate("SamplesModel", "Sample")
         if own < len(self._columns):
             column = self._columns[own]
-            return headed(sentence(column.title), column.unit)
+            return f"{sentence(column.title)}\n{column.unit}" if column.unit else sentence(column.title)
         if own == len(self._columns):
             return QCoreApplication.translate("SamplesModel", "Use")
         return QCoreApplication.translate("SamplesModel", "Remark")
@@ -156,7 +161,7 @@ class SamplesModel(QAbstractTableModel):
     def _text(self, row: SampleRow, section: int) -> str:
         own = section - 1
         if own < 0:
-            return sentence(row.name)
+            return f"▲ {sentence(row.name)}" if row.flag else sentence(row.name)
         if own < len(self._columns):
             value = row.cells[own] if own < len(row.cells) else None
             if isinstance(value, str):
@@ -168,7 +173,7 @@ class SamplesModel(QAbstractTableModel):
         return flag_word(row.flag)
 
     def _ink(self, row: SampleRow, section: int) -> QColor | None:
-        if row.flag and section > len(self._columns):
+        if row.flag and section in (0, len(self._columns) + 2):
             return QColor(colour(Role.ATTENTION))
         if not row.included:
             return QColor(colour("muted"))

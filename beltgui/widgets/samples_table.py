@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QMenu,
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -68,14 +67,14 @@ class SamplesTable(QWidget):
         delete_wanted: (sample id).
         undo_wanted: Take back the last edit.
         redo_wanted: Do it again.
-        chosen: Sample id of the chosen row; -1 for none.
+        chosen: Sample id of the chosen row; None for none.
     """
 
     include_wanted = Signal(int, bool)
     delete_wanted = Signal(int)
     undo_wanted = Signal()
     redo_wanted = Signal()
-    chosen = Signal(int)
+    chosen = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,6 +83,7 @@ class SamplesTable(QWidget):
         self._editable = True
         self._undo, self._redo = False, False
         self._fitted: tuple[Column, ...] = ()
+        self._sorted: tuple[int, Qt.SortOrder] | None = None
         self._build()
         self.retranslate()
         self._set_buttons()
@@ -99,17 +99,18 @@ class SamplesTable(QWidget):
         self.model.show(columns, rows)
         if self._fitted != columns and rows:
             self._fitted = columns
+            self._sorted = None
+            self.view.horizontalHeader().setSortIndicatorShown(False)
             self._fit_columns()
-        if had >= 0 and self.chosen_id() != had:
+        if had is not None and self.chosen_id() != had:
             self.choose(had)
-        if grows and had < 0 and not self.flagged_only.isChecked():
+        if grows and had is None and not self.flagged_only.isChecked():
             self.view.scrollToBottom()
-        self.count.setText(self.tr("%n sample(s)", "", len(rows)))
         self._set_buttons()
 
-    def choose(self, sample_id: int) -> None:
-        """Choose a sample's row; -1 or one that is not there chooses none."""
-        row = self.model.row_of(sample_id)
+    def choose(self, sample_id: int | None) -> None:
+        """Choose a sample's row; None or one that is not there chooses none."""
+        row = -1 if sample_id is None else self.model.row_of(sample_id)
         if row < 0:
             self.view.clearSelection()
             self.view.setCurrentIndex(QModelIndex())
@@ -118,10 +119,10 @@ class SamplesTable(QWidget):
             self.view.selectRow(row)
         self.view.scrollTo(self.model.index(row, 0))
 
-    def chosen_id(self) -> int:
-        """Id of the chosen sample; -1 for none."""
+    def chosen_id(self) -> int | None:
+        """Id of the chosen sample; None for none."""
         rows = self.view.selectionModel().selectedRows()
-        return self.model.sample(rows[0].row()).id if rows else -1
+        return self.model.sample(rows[0].row()).id if rows else None
 
     def set_editable(self, editable: bool) -> None:
         """Whether samples may be left out and deleted now."""
@@ -141,10 +142,9 @@ class SamplesTable(QWidget):
         self.delete_button.setText(self.tr("&Delete"))
         self.delete_button.setToolTip(self.tr("Delete the chosen sample (Del); undo brings it back"))
         self.delete_button.setAccessibleName(self.tr("Delete the chosen sample"))
-        self.flagged_only.setText(self.tr("Only what stands out"))
+        self.flagged_only.setText(self.tr("Only flagged"))
         self.flagged_only.setToolTip(self.tr("Show only samples that are left out or have a remark"))
         self.flagged_only.setAccessibleName(self.flagged_only.text())
-        self.count.setText(self.tr("%n sample(s)", "", self.model.rowCount()))
         self.model.refresh()
         self._fit_columns()
 
@@ -171,13 +171,12 @@ class SamplesTable(QWidget):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         columns = self.view.horizontalHeader()
         columns.setSectionsClickable(True)
-        columns.setSortIndicatorShown(True)
-        columns.setSortIndicatorClearable(True)
-        columns.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         columns.setResizeContentsPrecision(40)
         columns.setStretchLastSection(True)
         columns.setHighlightSections(False)
-        columns.sortIndicatorChanged.connect(self._sort)
+        columns.sectionClicked.connect(self._sort)
+        columns.setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
+        columns.setMinimumSectionSize(px(36))
         self.undo_button, self.redo_button, self.delete_button = (QToolButton(self) for _ in range(3))
         for name, button in (
             ("undo_button", self.undo_button), ("redo_button", self.redo_button),
@@ -192,14 +191,11 @@ class SamplesTable(QWidget):
         self.flagged_only = QCheckBox(self)
         self.flagged_only.setObjectName("samples_flagged")
         self.flagged_only.toggled.connect(self.model.show_only_flagged)
-        self.count = QLabel(self)
-        self.count.setProperty("tone", "muted")
         buttons = QHBoxLayout()
         buttons.setSpacing(4)
         for widget in (self.undo_button, self.redo_button, self.delete_button):
             buttons.addWidget(widget)
         buttons.addStretch(1)
-        buttons.addWidget(self.count)
         buttons.addWidget(self.flagged_only)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -221,10 +217,17 @@ class SamplesTable(QWidget):
     def _set_buttons(self) -> None:
         self.undo_button.setEnabled(self._undo)
         self.redo_button.setEnabled(self._redo)
-        self.delete_button.setEnabled(self._editable and self.chosen_id() >= 0)
+        self.delete_button.setEnabled(self._editable and self.chosen_id() is not None)
 
-    def _sort(self, column: int, order: Qt.SortOrder) -> None:
-        self.model.sort(column, order)
+    def _sort(self, column: int) -> None:
+        """Largest last, then largest first, then the order of time again."""
+        up, down = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
+        self._sorted = {(column, up): (column, down), (column, down): None}.get(self._sorted, (column, up))
+        head = self.view.horizontalHeader()
+        head.setSortIndicatorShown(self._sorted is not None)
+        if self._sorted is not None:
+            head.setSortIndicator(*self._sorted)
+        self.model.sort(*(self._sorted or (-1, up)))
 
     def _selected(self) -> None:
         self._set_buttons()
@@ -232,15 +235,16 @@ class SamplesTable(QWidget):
 
     def _toggle(self) -> None:
         sample_id = self.chosen_id()
-        if sample_id < 0 or not self._editable:
+        if sample_id is None or not self._editable:
             return
         row = self.model.sample(self.model.row_of(sample_id))
         if row.can_exclude:
             self.include_wanted.emit(sample_id, not row.included)
 
     def _delete(self) -> None:
-        if self._editable and self.chosen_id() >= 0:
-            self.delete_wanted.emit(self.chosen_id())
+        sample_id = self.chosen_id()
+        if self._editable and sample_id is not None:
+            self.delete_wanted.emit(sample_id)
 
     def _show_menu(self, at: QPoint) -> None:
         index = self.view.indexAt(at)
@@ -252,8 +256,8 @@ class SamplesTable(QWidget):
         menu.popup(self.view.viewport().mapToGlobal(at))
 
     def menu(self) -> QMenu:
-        """The menu of the chosen sample."""
-        row = self.model.sample(self.model.row_of(self.chosen_id()))
+        """The menu of the chosen sample; there must be one."""
+        row = self.model.sample(self.view.currentIndex().row())
         menu = QMenu(self)
         tick = QAction(self.tr("Leave out of the fit") if row.included else self.tr("Take into the fit"), menu)
         tick.setEnabled(self._editable and row.can_exclude)

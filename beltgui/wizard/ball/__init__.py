@@ -1,0 +1,1 @@
+"""Ball: its own panel."""

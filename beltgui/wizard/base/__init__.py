@@ -1,0 +1,1 @@
+"""Base: its own panel."""

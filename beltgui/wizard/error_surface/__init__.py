@@ -1,0 +1,1 @@
+"""Error surface: its own panel."""

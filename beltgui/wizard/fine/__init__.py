@@ -1,0 +1,1 @@
+"""Fine workpiece: its own panel."""

@@ -1,0 +1,1 @@
+"""Rough workpiece: its own panel."""

@@ -1,0 +1,1 @@
+"""Stylus and tool: its own panel."""
