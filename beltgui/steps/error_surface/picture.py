@@ -101,7 +101,7 @@ def _points(shown: Shown, scale: Scale) -> list[Item | None]:
     xyz = _lifted(shown, u, v)
     read = np.isfinite(error)
     groups = (
-        ("probed", (use == Use.FIT.value) & ~rejected, Role.INLIER, 3.0),
+        ("probed", (use == Use.FIT.value) & ~rejected, Role.INLIER, 2.0),
         ("held out", use == Use.HELD_OUT.value, Role.HELD_OUT, 6.0),
         ("rejected", rejected, Role.OUTLIER, 8.0),
         ("left out", use == Use.EXCLUDED.value, Role.EXCLUDED, 4.0),
