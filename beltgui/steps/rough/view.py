@@ -24,7 +24,18 @@ import numpy as np
 
 from beltgui.steps.fine.step import limits_of
 from beltgui.steps.room import Bench
-from beltgui.steps.rough.picks import BY_PAIRS, CHECKED_PAIRS, LEAST_PAIRS, Pair, method_of, next_name, pairs_of, row_id
+from beltgui.steps.rough.picks import (
+    AUTOMATIC,
+    BY_PAIRS,
+    CHECKED_PAIRS,
+    LEAST_PAIRS,
+    METHOD,
+    STEP,
+    Pair,
+    next_name,
+    pairs_of,
+    row_id,
+)
 from beltgui.steps.rough.step import LIMITS, RoughOutcome, headline
 from beltgui.steps.views import blade, common, drawing
 from beltgui.viewmodel.plot import Bars, LimitLine, Plot
@@ -62,7 +73,8 @@ class _PairRow:
 
 def content(bench: Bench, outcome: RoughOutcome | None, error: str) -> StepContent:
     """See `Room.view`."""
-    method = method_of(bench)
+    # An unknown method is refused when solving, with the reason; the view has to show that.
+    method = BY_PAIRS if bench.session.setting(STEP, METHOD) == BY_PAIRS else AUTOMATIC
     found = outcome if outcome is not None and outcome.method == method else None
     scans = blade.shown_scans(bench, "rough")
     picked, problem = _picked(bench)
