@@ -122,6 +122,7 @@ class Engine:
     def _submit(self, task: Task) -> None:
         with self._changed:
             others = [*([self._current] if self._current else []), *self._queue]
+            others = [other for other in others if not other.quiet]  # those are over before anybody notices
             in_the_way = [other for other in others if not _makes_way(other, task)]
             if not (in_the_way or self._closing):
                 for other in others:

@@ -112,7 +112,7 @@ def start_engine(on_event: OnEvent, on_end: OnEnd) -> EngineHandle:
 
 @contextlib.contextmanager
 def _without_main() -> Iterator[None]:
-    """Spawn would run the parent's main module again in the child, which needs nothing of it; not every one allows it."""
+    """Spawn would run the parent's main module again in the child, which needs nothing of it and may not bear it."""
     main = sys.modules["__main__"]
     sys.modules["__main__"] = types.ModuleType("__main__")
     try:
