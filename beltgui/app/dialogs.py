@@ -172,6 +172,7 @@ def keyboard_dialog(parent: QWidget) -> TextDialog:
         ("Ctrl+PgUp, Ctrl+PgDown", parent.tr("Step before, step after")),
         ("Tab, Shift+Tab", parent.tr("Next, previous control")),
         (parent.tr("Space"), parent.tr("Press a button, tick a sample; hold it on the motion button to keep moving")),
+        ("Ctrl+Enter", parent.tr("The next thing to do (the large coloured button)")),
         ("Ctrl+Z, Ctrl+Shift+Z", parent.tr("Undo, redo an edit of the step's samples")),
         (parent.tr("Delete"), parent.tr("Delete the chosen sample")),
         ("Ctrl+N, Ctrl+O, Ctrl+Shift+O", parent.tr("New session, open, open read-only")),

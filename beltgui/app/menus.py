@@ -80,7 +80,7 @@ class Menus(QObject):
         self._add(menu, "quit", self.tr("&Quit"), window.close, "Ctrl+Q")
 
     def _step(self) -> None:
-        menu = self._menu(self.tr("S&tep"))
+        menu = self._menu(self.tr("Ste&p"))
         group = QActionGroup(menu)
         for number, step in enumerate(STEPS, start=1):
             action = self._add(menu, f"step_{step}", f"&{number}  {step_word(step)}",
@@ -147,7 +147,7 @@ class Menus(QObject):
         self._add(menu, "about", self.tr("&About…"), self._window.show_about)
 
     def _menu(self, title: str) -> QMenu:
-        menu = self._window.menuBar().addMenu(title)
+        menu = self._window.menu_bar.addMenu(title)
         self._menus.append(menu)
         return menu
 

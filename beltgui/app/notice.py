@@ -60,7 +60,7 @@ class Notice(QFrame):
         self._label.setText(f"{SHAPES[tone]}  {text}")
         self._label.setAccessibleName(text)
         self._action, self._details = action, details
-        self.details_button.setText(self.tr("&Details…"))
+        self.details_button.setText(self.tr("Detai&ls…"))
         self.details_button.setVisible(bool(details))
         self.button.setText(button)
         self.button.setVisible(bool(button))

@@ -81,7 +81,10 @@ class StepEntry(QPushButton):
     def sizeHint(self) -> QSize:  # noqa: N802  (Qt's name)
         """As high as its labels need at the rail's width."""
         width = px(WIDTH_PX)
-        return QSize(width, self.layout().totalHeightForWidth(width))
+        layout = self.layout()
+        # A layout without its wrapped headline has no height for a width.
+        height = layout.totalHeightForWidth(width) if layout.hasHeightForWidth() else layout.sizeHint().height()
+        return QSize(width, height)
 
     def minimumSizeHint(self) -> QSize:  # noqa: N802  (Qt's name)
         """The same: nothing is cut off."""
@@ -143,6 +146,7 @@ class StepRail(QWidget):
         self.setFixedWidth(px(WIDTH_PX))
         self._layout.setContentsMargins(0, px(6), 0, 0)
         self._layout.setSpacing(px(3))
+        self._heading.setIndent(px(10))
         for entry in self.entries.values():
             entry.dress()
             entry.write()

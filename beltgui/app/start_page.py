@@ -300,7 +300,7 @@ class StartPage(QScrollArea):
         )  # fmt: skip
         self._person_label.setText(self.tr("Your &name"))
         self._blade_label.setText(self.tr("Blade type"))
-        self._serial_label.setText(self.tr("&Serial number"))
+        self._serial_label.setText(self.tr("Serial n&umber"))
         self._folder_label.setText(self.tr("&Folder"))
         self.folder_button.setText(self.tr("Choose…"))
         self.folder_button.setAccessibleName(self.tr("Choose the session's folder"))

@@ -65,6 +65,8 @@ QTableView, QListView, QTreeView {{ background: {panel}; color: {text}; border: 
 QProgressBar {{ background: {background}; color: {text}; border: 1px solid {line}; border-radius: {p4}px;
     text-align: center; min-height: {p16}px; }}
 QProgressBar::chunk {{ background: {line}; border-radius: {p4}px; }}
+QStatusBar {{ background: {background}; }}
+QStatusBar::item {{ border: none; }}
 QMenuBar {{ background: {background}; color: {text}; }}
 QMenuBar::item {{ padding: {p4}px {p8}px; background: transparent; }}
 QMenuBar::item:selected {{ background: {hover}; }}

@@ -102,7 +102,7 @@ class TopBar(QWidget):
             text = sentence(progress.text) if progress is not None and progress.text else ""
             self.job_title.setText(" – ".join(filter(None, (sentence(job.title), text))))
             self.job_bar.setValue(0 if progress is None else round(1000 * progress.fraction))
-        self.job_cancel.setText(self.tr("&Cancel"))
+        self.job_cancel.setText(self.tr("Cancel"))
         self.job_cancel.setToolTip(self.tr("Ends the work at the next sample. What has been taken is kept."))
         self.job_cancel.setAccessibleName(self.tr("Cancel the work"))
         self.job_bar.setAccessibleName(self.tr("Progress of the work"))

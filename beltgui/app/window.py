@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMainWindow, QMenuBar, QStackedWidget, QVBoxLayout, QWidget
 
 from beltgui.app import dialogs, language, settings
 from beltgui.app.client import EngineClient
@@ -134,15 +134,18 @@ class MainWindow(QMainWindow):
         self.stack.addWidget(self.start_page)
         self.stack.addWidget(self._work)
         self.device_strip = DeviceStrip(self)
-        body = QWidget(self)
-        layout = QVBoxLayout(body)
+        # Menus, top bar and notices are above docked panels, so that Stop stays in its corner.
+        self.menu_bar = QMenuBar()
+        head = QWidget(self)
+        layout = QVBoxLayout(head)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        for widget in (self.top_bar, self.read_only_notice, self.engine_notice, self.message):
+        for widget in (self.menu_bar, self.top_bar, self.read_only_notice, self.engine_notice, self.message):
             layout.addWidget(widget)
-        layout.addWidget(self.stack, 1)
-        layout.addWidget(self.device_strip)
-        self.setCentralWidget(body)
+        self.setMenuWidget(head)
+        self.setCentralWidget(self.stack)
+        self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().addWidget(self.device_strip, 1)
         self.help_panel = HelpPanel(self)
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.help_panel)
         self.help_panel.hide()
@@ -424,6 +427,7 @@ class MainWindow(QMainWindow):
             event.ignore()  # it is waited for already
             return
         event.accept()
+        self.hide()  # what follows may take a moment, and nobody should look at a window that does not answer
         if self.tour is not None:
             self.tour.end()
         for dialog in self.findChildren(QDialog):
