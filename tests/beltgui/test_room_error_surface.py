@@ -331,9 +331,17 @@ def done_reasons() -> Any:
 # ---- what spoils a real clamping
 
 
-def test_a_blade_that_slips_before_probing_is_not_presented(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("shift", "before_scan"), [((0.5, 0.0, 0.0), 1), ((0.0, 0.0, 0.3), 2)])
+def test_a_blade_that_slips_before_probing_is_not_presented(
+    tmp_path: Path, shift: tuple[float, float, float], before_scan: int
+) -> None:
     with started(tmp_path / "session") as live:
-        live.hook("scanner", "capture", lambda call: slip(live, 1.5) if call == 1 else None)
+
+        def spoil(call: int) -> None:
+            if call == before_scan:
+                live.sim.world.faults.slip_blade(shift, np.zeros(3))
+
+        live.hook("scanner", "capture", spoil)
         asked: list[str] = []
         context = replace(live.context, consent=lambda path, purpose: bool(asked.append(purpose)) or True)
         with pytest.raises(InputError, match=r"clamped for probing is not accepted.*has not presented it to the wheel"):
@@ -424,7 +432,7 @@ def test_a_cancelled_probing_is_gone_on_with_after_a_restart(quick: Live) -> Non
     ROOM.acquire(fresh, quick.context)
     assert len(asked) == 1, "the blade was not clamped again"
     assert sorted(sample.data["slot"] for sample in kept(quick, "line")) == list(range(V_COUNT))
-    assert len(kept(quick, "return_scan")) == 2 and len(kept(quick, "check")) == CHECKS
+    assert len(kept(quick, "return_scan")) == 4 and len(kept(quick, "check")) == CHECKS
     outcome = ROOM.solve(fresh, Job())
     assert outcome.verdict.reasons == () and outcome.complete
 

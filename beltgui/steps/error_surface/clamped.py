@@ -21,7 +21,7 @@ from beltgui.steps.room import Bench
 from beltgui.steps.scans import ScanSample, acquire_scans, scan_of
 from core.errors import InputError
 from core.path import CellFrames
-from core.verdict import Code, Verdict, above
+from core.verdict import Code, Reason, Verdict, above
 
 # The robot leaves the scanning pose to probe and comes back within its repeatability, at the far end of the blade too.
 RETURNED_LIMIT_MM = 0.15
@@ -99,9 +99,10 @@ def ready_to_present(bench: Bench, context: Context, grinder: str, why: str = ""
     if not why and clamping is not None and len(clamping.opening) == len(bench.plan.fine_step):
         clamped = _accepted_before(bench, clamping)
         if clamped is not None:
-            why = _moved_since(bench, context, clamped)
-            if not why:
+            verdict = _looked_again(bench, context, clamped, RETURNED_LIMIT_MM)
+            if verdict.ok:
                 return clamped
+            why = f"The blade is not where it had been clamped: {verdict.reasons[0].message} {VOID}"
     probing.clamp_and_scan(context, why)
     clamping = current_clamping(bench.session)
     assert clamping is not None
@@ -110,9 +111,10 @@ def ready_to_present(bench: Bench, context: Context, grinder: str, why: str = ""
         clamped = registered(bench, clamping)
     except InputError as error:
         raise InputError(_not_presented(grinder, str(error)), error.code) from error
-    if not clamped.verdict.ok:
-        first = clamped.verdict.reasons[0]
-        raise InputError(_not_presented(grinder, first.message), first.code)
+    # Two scans that see different faces say little about a blade that slips between them; two more do.
+    verdict = clamped.verdict if not clamped.verdict.ok else _looked_again(bench, context, clamped, fine.UNMOVED_MM)
+    if not verdict.ok:
+        raise InputError(_not_presented(grinder, verdict.reasons[0].message), verdict.reasons[0].code)
     return clamped
 
 
@@ -132,18 +134,15 @@ def _accepted_before(bench: Bench, clamping: Clamping) -> FineOutcome | None:
     return clamped if clamped.verdict.ok else None
 
 
-def _moved_since(bench: Bench, context: Context, clamped: FineOutcome) -> str:
-    """Scan again and compare: empty if the blade is where it was, otherwise a sentence why it is not."""
+def _looked_again(bench: Bench, context: Context, clamped: FineOutcome, unmoved_mm: float) -> Verdict:
+    """Scan once more and compare with where the blade was found."""
     poses = context.plan.fine_step
     scans = acquire_scans(context, STEP, poses, RETURN, slots=range(len(poses)))
-    context.job.report(0.0, "comparing with where the blade was")
+    context.job.report(0.9, "comparing with where the blade was")
     try:
-        found = _register(bench, scans, clamped)
+        return _register(bench, scans, clamped, unmoved_mm).verdict
     except InputError as error:
-        return f"The blade could not be found where it had been clamped: {error} {VOID}"
-    if found.verdict.ok:
-        return ""
-    return f"The blade is not where it had been clamped: {found.verdict.reasons[0].message} {VOID}"
+        return Verdict.of([Reason(error.code, str(error))])
 
 
 def _by_samples(bench: Bench, samples: Mapping[int, Sample], earlier: FineOutcome | None) -> FineOutcome:
@@ -153,20 +152,23 @@ def _by_samples(bench: Bench, samples: Mapping[int, Sample], earlier: FineOutcom
     key = (STEP, "registered", ids)
     kept = bench.cache.get(key)
     if kept is not None and all(was is now for was, now in zip(kept[0], stands_on, strict=True)):
-        return kept[1]
+        known: FineOutcome = kept[1]
+        return known
     scans = [scan_of(bench.session, samples[slot]) for slot in sorted(samples)]
     outcome = _register(bench, scans, earlier)
     bench.cache[key] = (stands_on, outcome)
     return outcome
 
 
-def _register(bench: Bench, scans: list[ScanSample], earlier: FineOutcome | None) -> FineOutcome:
+def _register(
+    bench: Bench, scans: list[ScanSample], earlier: FineOutcome | None, unmoved_mm: float = RETURNED_LIMIT_MM
+) -> FineOutcome:
     stage, base = _found(bench, "ball").stage, _found(bench, "base").fit
     if earlier is None:
         return fine.solve(scans, stage, base, bench.model, bench.blade, _found(bench, "fine").fit.measure_from_work)
     start = earlier.fit.measure_from_work
     outcome = fine.solve(
-        scans, stage, base, bench.model, bench.blade, start, unmoved_since=start, unmoved_mm=RETURNED_LIMIT_MM
+        scans, stage, base, bench.model, bench.blade, start, unmoved_since=start, unmoved_mm=unmoved_mm
     )
     assert outcome.moved_mm is not None
     if outcome.moved_mm <= outcome.moved_limit_mm:
@@ -174,8 +176,8 @@ def _register(bench: Bench, scans: list[ScanSample], earlier: FineOutcome | None
     # Here another step is to be done again than where the blade was scanned last.
     slipped = above(
         Code.HELD_OUT_ERROR, outcome.moved_mm, outcome.moved_limit_mm,
-        "The distance of the blade from where it was before it was presented to the wheel",
-        "It has slipped in its clamp: fasten the clamp and acquire again, all lines are probed anew.",
+        "The distance of the blade from where the scans before found it",
+        "It has slipped in its clamp: fasten the clamp and acquire again.",
     )  # fmt: skip
     return replace(outcome, verdict=Verdict.of([*outcome.verdict.reasons[:-1], *slipped]))
 

@@ -26,7 +26,7 @@ def plots_of(shown: Shown) -> tuple[Plot, ...]:
     """The plots for what there is so far."""
     if not shown.counted:
         return ()
-    plots = [_map(shown), _section(shown)]
+    plots: list[Plot | None] = [_map(shown), _section(shown)]
     if shown.outcome is not None:
         plots.append(_leave_one_out(shown, shown.outcome))
         plots.append(_left(shown, shown.outcome))

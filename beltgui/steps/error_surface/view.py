@@ -10,7 +10,7 @@ from beltgui.steps.error_surface.clamped import RETURNED_LIMIT_MM
 from beltgui.steps.error_surface.picture import scene_of
 from beltgui.steps.error_surface.plots import plots_of
 from beltgui.steps.error_surface.probing import PRESENTED_LIMIT_MM
-from beltgui.steps.error_surface.series import current_clamping
+from beltgui.steps.error_surface.series import CHECK, current_clamping
 from beltgui.steps.error_surface.shown import LARGEST_EXAGGERATION, Shown, ShownLine, maps_of, shown_of
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, Program
 from beltgui.steps.head_rest import LIMIT_MM
@@ -215,9 +215,9 @@ def _remarks(shown: Shown) -> tuple[str, ...]:
 def _suggestion(shown: Shown) -> Suggestion | None:
     """What is missing first; then the line whose lost points leave the surface least certain."""
     if shown.todo:
-        line = shown.todo[0]
-        what = "check line" if line.kind == "check" else "line"
-        return Suggestion(f"Probe {what} {line.slot + 1} at v = {line.v[0]:.3f}.")
+        following = shown.todo[0]
+        what = "check line" if following.kind == CHECK else "line"
+        return Suggestion(f"Probe {what} {following.slot + 1} at v = {following.v[0]:.3f}.")
     if shown.outcome is None or shown.outcome.surface.sigma_mm is None:
         return None
     best: tuple[float, ShownLine, float] | None = None
