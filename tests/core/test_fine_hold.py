@@ -49,13 +49,12 @@ def test_two_planes_leave_the_shift_along_their_common_line(model: CadModel) -> 
     assert moved_off(model, ["S2", "S3"], np.concatenate([np.zeros(3), direction]), at) < 1e-6
 
 
-def test_one_cylinder_lets_the_blade_slide_along_its_axis(model: CadModel) -> None:
-    """It lets it turn too; what is named is mostly the shift."""
+def test_one_cylinder_lets_the_blade_slide_around_its_axis_or_along_it(model: CadModel) -> None:
     hold = analyse_faces(model, ["S1"])
-    at, direction = hold.axis
-    assert hold.free and not hold.turns
-    assert abs(direction @ model.face("S1").surface.axis) > 0.999
-    assert moved_off(model, ["S1"], np.concatenate([np.zeros(3), direction]), at) < 0.05  # of 1 mm
+    weakest = hold.conditioning.weakest_direction
+    slide = np.concatenate([weakest[:3] / hold.lever_mm, weakest[3:]])
+    assert hold.free and not hold.turns and np.linalg.norm(slide[3:]) > 0.9
+    assert moved_off(model, ["S1"], slide, hold.centre_mm) < 2e-3  # 1 mm on a radius of 688 mm, to second order
 
 
 def test_the_axis_of_a_free_turn_is_where_the_turn_leaves_the_face(model: CadModel) -> None:
