@@ -89,8 +89,8 @@ class DeviceStrip(QWidget):
         return self._labels[name]
 
     def _words(self, device: DeviceState) -> str:
-        words = f"{SHAPES.get(device.state, '●')} {device_name(device.name)}: {device_state_word(device.state)}"
-        return words if device.state == "simulated" else f"{words} {self._since[device.name]:%H:%M:%S}"
+        shape = SHAPES.get(device.state, "●")
+        return f"{shape} {device_name(device.name)}: {device_state_word(device.state)} {self._since[device.name]:%H:%M}"
 
     def _tip(self, device: DeviceState) -> str:
         since = self.tr("{state} since {time}").format(

@@ -100,8 +100,8 @@ def _ball() -> StepHelp:
         ),
         translate(
             "Help",
-            "Fix the reference ball firmly within the scanner's range, about 220 mm in front of it. It must not "
-            "move during this step. The robot stands still; only the stage moves.",
+            "Mount the reference ball on the robot's flange and tighten it; wipe it clean. The robot brings it in "
+            "front of the scanner and then stands still, while the stage moves the scanner about it.",
         ),
         translate(
             "Help",
@@ -143,8 +143,8 @@ def _base() -> StepHelp:
         ),
         translate(
             "Help",
-            "Mount the reference ball on the robot's flange and tighten it. Keep the robot's way to the scanner "
-            "free: the robot moves in this step.",
+            "The reference ball stays on the robot's flange as it was in the ball step. Keep the robot's way in "
+            "front of the scanner free: the robot moves to many poses in this step.",
         ),
         translate(
             "Help",

@@ -108,7 +108,9 @@ def _dress(application: object, theme_name: str, language_name: str) -> None:
 def _make_page(parent: QWidget) -> StepPage:
     from beltgui.wizard.page import StepPage
 
-    return StepPage(None, parent)
+    page = StepPage(None, parent)
+    page.scene.prepare()  # what draws the picture starts while the person still reads the start page
+    return page
 
 
 def _check_screen() -> None:

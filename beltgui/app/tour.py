@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMainWindow, QPushButton, QVBoxLayout, QWidget
 
 from beltgui.app import settings
 from beltgui.app.theme import colour, px
@@ -40,7 +40,7 @@ class Tour(QObject):
 
     ended = Signal()
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self._window = window
         self._place = 0
@@ -56,7 +56,10 @@ class Tour(QObject):
         self.card.skip_button.clicked.connect(self.end)
         self.card.stepped.connect(self.go)
         self._stops = self._write()
-        window.installEventFilter(self)
+        # What is framed moves when the window or its middle changes its size, e.g. as a message appears above it.
+        self._watched = (window, window.centralWidget())
+        for widget in self._watched:
+            widget.installEventFilter(self)
         self._show()
         self.card.next_button.setFocus()
 
@@ -81,7 +84,8 @@ class Tour(QObject):
     def end(self) -> None:
         """End the tour, and do not begin it by itself again."""
         settings.keep("tour_seen", "yes")
-        self._window.removeEventFilter(self)
+        for widget in self._watched:
+            widget.removeEventFilter(self)
         for widget in (*self._bars, self.card):
             widget.hide()
             widget.deleteLater()
@@ -90,9 +94,9 @@ class Tour(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802  (Qt's name)
         """Follow the window's size and language."""
-        if event.type() == QEvent.Type.Resize:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.Move):
             self._lay_out()
-        elif event.type() == QEvent.Type.LanguageChange:
+        elif event.type() == QEvent.Type.LanguageChange and watched is self._window:
             self._stops = self._write()
             self._show()
         return super().eventFilter(watched, event)
@@ -107,7 +111,7 @@ class Tour(QObject):
         area = self._window.rect()
         target = self._window.findChild(QWidget, self._stops[self._place].widget)
         if target is None or not target.isVisible():
-            target = self._window.centralWidget()  # type: ignore[attr-defined]
+            target = self._window.centralWidget()
         frame = QRect(target.mapTo(self._window, QPoint(0, 0)), target.size()).intersected(area)
         width = px(4)
         frame = frame.adjusted(-width, -width, width, width).intersected(area)
@@ -223,7 +227,7 @@ class Card(QFrame):
 
 
 def _beside(frame: QRect, width: int, height: int, area: QRect) -> QPoint:
-    """Where a card goes so that it does not cover the frame, if there is room, and is inside the area."""
+    """Where a card goes so that it does not cover the frame, if there is room beside it; else in its middle."""
     gap = px(10)
     places = (
         QPoint(frame.right() + gap, frame.top()),
@@ -236,4 +240,4 @@ def _beside(frame: QRect, width: int, height: int, area: QRect) -> QPoint:
         y = min(max(place.y(), area.top() + gap), area.bottom() - gap - height)
         if not QRect(x, y, width, height).intersects(frame):
             return QPoint(x, y)
-    return QPoint(area.center().x() - width // 2, area.bottom() - gap - height)
+    return QPoint(frame.center().x() - width // 2, frame.center().y() - height // 2)

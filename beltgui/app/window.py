@@ -345,6 +345,7 @@ class MainWindow(QMainWindow):
 
     def _tour_ended(self) -> None:
         self.tour = None
+        self.rail.entries[self._step].setFocus()
 
     def show_keyboard(self) -> None:
         """Show all shortcuts."""
