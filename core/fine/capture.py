@@ -94,8 +94,10 @@ def capture(model: CadModel, targets: Sequence[Target], points: Array, start: Ar
         progress: Told of the stages.
     """
     ids = {number for target in targets for number in target.patch.face_ids}
-    progress(0.0, "points of the CAD model")
-    samples = sample_model(model.tessellate(TESSELLATION_MM), ids, settings.seed)
+    progress(0.0, "triangles of the CAD model")
+    mesh = model.tessellate(TESSELLATION_MM)
+    progress(0.05, "points of the CAD model")
+    samples = sample_model(mesh, ids, settings.seed)
     progress(0.1, "thinning the scan")
     thin = thin_scan(points, samples, start, settings.coarse_points, settings.capture_mm, settings.seed)
     if len(thin.points) < _LEAST_THIN_POINTS:

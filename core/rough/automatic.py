@@ -173,8 +173,7 @@ def find_candidates(model: CadModel, points: Array, *, seed: int = 0,
     mesh = model.tessellate(0.1)
     progress(0.08, "points of the CAD model")
     model_shape = mesh_shape(mesh.vertices, mesh.triangles, _SAMPLE_SPACING_MM, rng)
-    progress(0.12, "directions of the scan's surfaces")
-    scan = scan_shape(points, rng)
+    scan = scan_shape(points, rng, part(progress, 0.12, _SEARCH_BEGINS))
     rows = rng.permutation(np.flatnonzero(scan.flat))
     if len(rows) < 100:
         raise FitError(f"Only {len(rows)} places of the scan are flat enough to tell a direction, at least 100 are "

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from core.frames import Array
+from core.progress import Progress, silent
 
 # Above this number of points a random share stands for the scan; spacing on a blade is then still below 0.3 mm.
 RANDOM_SHARE = 300_000
@@ -49,15 +50,18 @@ def nearest(tree: KDTree, points: Array, reach_mm: float = np.inf) -> tuple[Arra
     return np.asarray(distance, dtype=float), np.asarray(index, dtype=np.int64)
 
 
-def scan_shape(points: Array, rng: np.random.Generator) -> Shape:
+def scan_shape(points: Array, rng: np.random.Generator, progress: Progress = silent) -> Shape:
     """Thin a scan (N, 3) and estimate its normals from neighbours (smallest eigenvector of their covariance)."""
     if len(points) > RANDOM_SHARE:
         points = points[rng.choice(len(points), RANDOM_SHARE, replace=False)]
+    progress(0.0, "thinning the scan")
     cube = CUBE_MM
     thin, usual = _thinned(points, cube)
     while len(thin) > MOST_POINTS or (usual < USUAL_COUNT and cube < LARGEST_CUBE_MM):
+        progress(0.3, "thinning the scan")
         cube *= 1.25
         thin, usual = _thinned(points, cube)
+    progress(0.6, "directions of the scan's surfaces")
     reach = np.asarray(KDTree(thin).query(thin, k=[min(NEIGHBOURS // 2, len(thin))])[0])[:, 0]
     thin = thin[reach < STRAY_REACH * np.median(reach)]
     tree = KDTree(thin)
