@@ -13,7 +13,7 @@ from beltgui.jobs import Cancelled, Job
 from beltgui.session import Session
 from beltgui.steps.blocks import plain
 from beltgui.steps.error_surface import export as exporting
-from beltgui.steps.error_surface.room import ErrorSurfaceRoom
+from beltgui.steps.error_surface.room import ErrorSurfaceRoom, export
 from beltgui.steps.error_surface.series import STEP, current_clamping
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome
 from beltgui.steps.room import Bench
@@ -297,7 +297,7 @@ def test_what_is_exported_is_read_back(done: Done, tmp_path: Path, monkeypatch: 
     monkeypatch.setattr("beltgui.report.commissioning.commissioning_page", lambda *words, **named: None)
     monkeypatch.setattr("beltgui.report.page.render", lambda page: "<html></html>")
     found = replace(done.bench, found={STEP: done.outcome})
-    files = ROOM.export(found, done.outcome, tmp_path / "out", Job())
+    files = export(found, done.outcome, tmp_path / "out", Job())
     names = ["transverse.script", "longitudinal.script", "error_surface.json", "programs.proof.json", "report.html"]
     assert [path.name for path in files] == names and all(path.is_file() for path in files)
     proof = files[3].read_text()
@@ -320,7 +320,7 @@ def test_what_is_exported_is_read_back(done: Done, tmp_path: Path, monkeypatch: 
 def test_a_rejected_surface_is_not_exported(done: Done, tmp_path: Path) -> None:
     rejected = replace(done.outcome, verdict=Verdict.of(done_reasons()))
     with pytest.raises(InputError, match="nothing is exported: The wheel is worn"):
-        ROOM.export(done.bench, rejected, tmp_path / "out", Job())
+        export(done.bench, rejected, tmp_path / "out", Job())
     assert not (tmp_path / "out").exists()
 
 

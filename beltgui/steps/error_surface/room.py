@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from beltgui.jobs import Job
@@ -18,6 +17,7 @@ from beltgui.steps.error_surface.clamped import (
     registered_at_end,
     with_frames,
 )
+from beltgui.steps.error_surface.export import export
 from beltgui.steps.error_surface.probing import CHECK_LINES, PRESENTED_LIMIT_MM
 from beltgui.steps.error_surface.series import STEP, Series, current_clamping
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, Program
@@ -25,6 +25,8 @@ from beltgui.steps.room import Bench
 from beltgui.viewmodel.step import StepContent
 from core.errors import InputError
 from core.verdict import Code, Reason, Verdict, above
+
+__all__ = ["ErrorSurfaceRoom", "export"]
 
 # A surface is what was measured: a few lines may be left out, as many as samples may be rejected.
 LARGEST_SHARE_LEFT_OUT = 0.1
@@ -113,19 +115,13 @@ class ErrorSurfaceRoom:
 
     def headline(self, outcome: ErrorSurfaceOutcome) -> str:
         """The number that matters."""
-        return f"held-out error {outcome.held_out.rms_mm:.3f} mm RMS"
+        return step.headline(outcome)
 
     def view(self, bench: Bench, outcome: ErrorSurfaceOutcome | None, error: str = "") -> StepContent:
         """What the screen shows; see `Room.view`."""
         from beltgui.steps.error_surface.view import content
 
         return content(bench, outcome, error)
-
-    def export(self, bench: Bench, outcome: ErrorSurfaceOutcome, folder: Path, job: Job) -> tuple[Path, ...]:
-        """Write robot programs with their proof, the error surface and the report; see `export.export`."""
-        from beltgui.steps.error_surface.export import export
-
-        return export(bench, outcome, folder, job)
 
 
 def _part(context: Context, start: float, end: float) -> Context:

@@ -200,6 +200,11 @@ def write_program(
     return Program(name, plan, text, verify_program(plan, text))
 
 
+def headline(outcome: ErrorSurfaceOutcome) -> str:
+    """The number that matters."""
+    return f"held-out error {outcome.held_out.rms_mm:.3f} mm RMS"
+
+
 def record(outcome: ErrorSurfaceOutcome) -> dict[str, Any]:
     """For the session and the report."""
     return {

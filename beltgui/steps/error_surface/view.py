@@ -12,7 +12,7 @@ from beltgui.steps.error_surface.plots import plots_of
 from beltgui.steps.error_surface.probing import PRESENTED_LIMIT_MM
 from beltgui.steps.error_surface.series import CHECK, current_clamping
 from beltgui.steps.error_surface.shown import LARGEST_EXAGGERATION, Shown, ShownLine, maps_of, shown_of
-from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, Program
+from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, Program, headline
 from beltgui.steps.head_rest import LIMIT_MM
 from beltgui.steps.room import Bench
 from beltgui.steps.views.common import (
@@ -72,8 +72,7 @@ def content(bench: Bench, outcome: ErrorSurfaceOutcome | None, error: str = "") 
 
 def _headline(shown: Shown, error: str) -> str:
     if shown.outcome is not None:
-        left = 1000.0 * shown.outcome.held_out.rms_mm
-        return f"held-out error {left:.0f} µm RMS" if np.isfinite(left) else "nothing was held out"
+        return headline(shown.outcome)
     if shown.todo and shown.counted:
         return f"line {shown.planned - len(shown.todo)} of {shown.planned}"
     return error
