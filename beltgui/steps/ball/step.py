@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from beltgui.jobs import Job
 from beltgui.steps.ball.closing import Returned, acquire_with_closing, is_complete, returned
@@ -40,6 +41,8 @@ class BallOutcome:
         scans: All that were not deleted, in order of time.
         fitted: Those that the stage was fitted to, in the order of its residuals.
         stage: The stage's axes, from the scans that were not kept out.
+        scatter_mm: What the stage's repeatability adds to the noise of a ball's centre, each coordinate; 0 if the
+            noise of the scans explains the residuals.
         misses_mm: By sample id, (3,) the ball as that scan sees it less the fitted one, in {M}; scans that show none or
             stand where the stage is not known are not in it.
         held_out: Ball centre in {M} from the scans kept out, against the fitted one.
@@ -50,10 +53,16 @@ class BallOutcome:
     scans: tuple[BallScan, ...]
     fitted: tuple[BallScan, ...]
     stage: StageFit
+    scatter_mm: float
     misses_mm: dict[int, Array]
     held_out: HeldOut
     returned: Returned
     verdict: Verdict
+
+    @property
+    def sigma_mm(self) -> float:
+        """Noise of each coordinate of a ball's centre, the stage's repeatability in it; RMS over the fit."""
+        return float(np.sqrt(np.mean(_sphere_sigmas(self.fitted) ** 2) + self.scatter_mm**2))
 
     @property
     def spheres(self) -> tuple[SphereFit, ...]:
@@ -98,7 +107,7 @@ def solve(bench: Bench, job: Job) -> BallOutcome:
         raise InputError("No scan shows the ball yet. Take the scans.", Code.NOT_ENOUGH_POINTS)
     planned = len(bench.plan.stage_step)
     fitted = [scan for scan in used if not is_held_out(scan.slot, planned)]
-    stage = solve_stage(observations(fitted))
+    stage, scatter_mm = fit_stage(fitted)
     misses = {scan.id: carried(stage, scan) - stage.ball_in_measure_mm for scan in scans if can_carry(stage, scan)}
     held = [scan for scan in used if is_held_out(scan.slot, planned) and scan.id in misses]
     errors = [np.linalg.norm(misses[scan.id]) for scan in held]
@@ -112,16 +121,43 @@ def solve(bench: Bench, job: Job) -> BallOutcome:
         *judge_stage(stage, StageLimits(), [scan.name for scan in fitted]).reasons,
         *held_out.reasons("The ball or the scanner may have moved between the scans: fasten both, scan again."),
     ]
-    return BallOutcome(scans, tuple(fitted), stage, misses, held_out, back, Verdict.of(reasons))
+    return BallOutcome(scans, tuple(fitted), stage, scatter_mm, misses, held_out, back, Verdict.of(reasons))
 
 
-def observations(scans: Sequence[BallScan]) -> StageObservations:
-    """Scans that show the ball, as the stage's fit takes them."""
+def fit_stage(scans: Sequence[BallScan]) -> tuple[StageFit, float]:
+    """The stage, and the scatter (mm, each coordinate) that it adds to the noise of the ball centres.
+
+    A ball's centre is known to 2 µm, a stage comes back to 3 µm: with the noise of the scans alone the covariance would
+    be too small. The scatter is the isotropic variance with which the weighted squares equal their degrees of freedom
+    (Paule & Mandel, J. Res. NBS 87, 1982).
+
+    Raises:
+        InputError: the positions do not determine the stage.
+    """
+    sigmas = _sphere_sigmas(scans)
+    fit = solve_stage(_observations(scans, sigmas))
+    squares = np.sum(fit.residuals_mm**2, axis=1)
+
+    def excess(scatter_mm: float) -> float:
+        return float(np.sum(squares / (sigmas**2 + scatter_mm**2))) - fit.redundancy
+
+    if not fit.redundancy or excess(0.0) <= 0.0:
+        return fit, 0.0
+    scatter_mm = float(brentq(excess, 0.0, float(np.sqrt(squares.sum() / fit.redundancy))))
+    return solve_stage(_observations(scans, np.hypot(sigmas, scatter_mm))), scatter_mm
+
+
+def _sphere_sigmas(scans: Sequence[BallScan]) -> Array:
+    """(N,) noise of each coordinate of the ball centres by their own scans, mm."""
+    return np.array([np.sqrt(np.trace(scan.sphere.covariance_mm2) / 3.0) for scan in scans])
+
+
+def _observations(scans: Sequence[BallScan], sigma_mm: Array) -> StageObservations:
     return StageObservations(
         stage_mm=np.array([scan.stage_mm for scan in scans]).reshape(-1, 3),
         stage_rad=np.array([scan.stage.theta_rad for scan in scans]),
         ball_in_scanner_mm=np.array([scan.sphere.center_mm for scan in scans]).reshape(-1, 3),
-        sigma_mm=np.array([np.sqrt(np.trace(scan.sphere.covariance_mm2) / 3.0) for scan in scans]),
+        sigma_mm=sigma_mm,
     )
 
 
@@ -140,6 +176,7 @@ def record(outcome: BallOutcome) -> dict[str, Any]:
     """For the session and the report."""
     return {
         "stage": stage_record(outcome.stage, Verdict()),
+        "stage_scatter_mm": outcome.scatter_mm,
         "spheres": [sphere_record(sphere, Verdict()) for sphere in outcome.spheres],
         "held_out": plain(outcome.held_out.block()),
         "returned_mm": plain(outcome.returned_mm),

@@ -55,8 +55,7 @@ def content(bench: Bench, outcome: BallOutcome | None, error: str) -> StepConten
     if outcome is None:
         return replace(shown, headline=progress, scene=scene_of_scan(bench.plan, scans))
     absent = [pose for slot, pose in enumerate(wanted) if _absent(scans, slot)]
-    sigma_mm = float(np.sqrt(np.mean([np.trace(scan.sphere.covariance_mm2) / 3.0 for scan in outcome.fitted])))
-    advice = advise(outcome.stage, bench.plan, absent, sigma_mm)
+    advice = advise(outcome.stage, bench.plan, absent, outcome.sigma_mm)
     return replace(
         shown,
         numbers=numbers(outcome, worst_point_sigma(outcome.stage, bench.plan)),
@@ -114,7 +113,8 @@ def numbers(outcome: BallOutcome, point_sigma_mm: float) -> tuple[Number, ...]:
         *position_numbers("Ball in {M}", fit.ball_in_measure_mm, ball),
         number_of("Residuals of the fit, RMS", in_um(fit.rms_mm), "µm", decimals=1,
                   limit=UM_PER_MM * limits.max_rms_mm),
-        number_of("Noise of a ball centre, each coordinate", in_um(fit.sigma_mm), "µm", decimals=1),
+        number_of("Noise of a ball centre, each coordinate", in_um(outcome.sigma_mm), "µm", decimals=1),
+        number_of("Scatter of the stage in it, each coordinate", in_um(outcome.scatter_mm), "µm", decimals=1),
         number_of("Ball from the first to the closing scan", in_um(outcome.returned_mm), "µm", decimals=1,
                   limit=UM_PER_MM * outcome.returned.limit_mm),
         _diameter_number(outcome),
