@@ -59,7 +59,7 @@ class ChecksList(QWidget):
         if check.ok is None:
             text += self.tr(" — not known yet")
         elif check.count:
-            text += self.tr(" (from %n sample(s))", "", check.count)
+            text += self.tr(" (n = {count})").format(count=check.count)
         tone = {True: "good", False: "bad", None: "muted"}[check.ok]
         if line.property("tone") != tone:
             line.setProperty("tone", tone)

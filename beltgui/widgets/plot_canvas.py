@@ -100,6 +100,11 @@ class PlotCanvas(QWidget):
         if self._plot is not None:
             self.show_plot(self._plot)
 
+    def shut_down(self) -> None:
+        """Free what pyqtgraph holds; the canvas shows nothing any more."""
+        theme().changed.disconnect(self.rethemed)
+        self.graph.close()
+
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
         """Home shows all, plus and minus zoom."""
         steps = {Qt.Key.Key_Plus: 0.8, Qt.Key.Key_Minus: 1.25}
@@ -159,13 +164,15 @@ class PlotCanvas(QWidget):
         if self._bar is None:
             self._bar = pg.ColorBarItem(interactive=False, width=px(12))
             self.graph.plotItem.layout.addItem(self._bar, 2, 5)
+            # Otherwise half of the uppermost tick's number is cut off.
+            self.graph.plotItem.layout.setContentsMargins(1.0, px(8), 1.0, 1.0)
         self._bar.setLevels(values=(scale.low, scale.high))
         self._bar.setColorMap(colour_map(scale))
         axis = self._bar.axis
         axis.enableAutoSIPrefix(False)
-        axis.setLabel(html.escape(sentence(scale.title)), color=colour("text"), **{"font-size": f"{px(12)}px"})
-        axis.setTextPen(colour("text"))
         axis.setPen(colour("line"))
+        axis.setTextPen(colour("text"))
+        axis.setLabel(html.escape(sentence(scale.title)), color=colour("text"), **{"font-size": f"{px(12)}px"})
         axis.setStyle(tickFont=self._font())
 
     def _draw_words(self, plot: Plot) -> None:

@@ -36,6 +36,8 @@ class PlotsArea(QWidget):
         self.whole_button.setProperty("quiet", "true")
         self.whole_button.clicked.connect(self._whole)
         self.tabs.setCornerWidget(self.whole_button)
+        # The arrows of a bar that is too narrow are tool buttons too; those of the application are too large for it.
+        self.tabs.setStyleSheet("QTabBar QToolButton { padding: 0px; min-height: 0px; }")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.tabs)
@@ -69,7 +71,7 @@ class PlotsArea(QWidget):
         """Write again in the present language."""
         self.setAccessibleName(self.tr("Plots"))
         self.tabs.setAccessibleName(self.tr("Plots"))
-        self.whole_button.setText(self.tr("Show all"))
+        self.whole_button.setText("⤢")
         self.whole_button.setToolTip(self.tr("Show the whole plot again (Home). Drag to move, wheel to zoom."))
         self.whole_button.setAccessibleName(self.tr("Show the whole plot"))
         self.show_plots(tuple(self._plots.values()))
@@ -81,7 +83,7 @@ class PlotsArea(QWidget):
         self.tabs.clear()
         for key in [key for key in self._canvases if key not in keys]:
             gone = self._canvases.pop(key)
-            gone.graph.close()
+            gone.shut_down()
             gone.deleteLater()
         for key in keys:
             if key not in self._canvases:

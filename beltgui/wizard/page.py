@@ -312,4 +312,4 @@ class StepPage(QWidget):
         bottom = max(min(int(self.height() * BOTTOM_SHARE), px(BOTTOM_PX)), self.height() * 3 // 10)
         self.left.setSizes([self.height() - bottom, bottom])
         width = self.width() - self.side.width()
-        self.bottom.setSizes([width * 9 // 20, width * 11 // 20])
+        self.bottom.setSizes([width * 12 // 25, width * 13 // 25])

@@ -82,7 +82,7 @@ def plots(samples: tuple[SampleRow, ...]) -> tuple[Plot, ...]:
     """Every kind of series."""
     x = np.arange(len(samples), dtype=float)
     y = np.array([1000.0 * row.cells[1] if isinstance(row.cells[1], float) else np.nan for row in samples])
-    held = np.array([row.use is Use.HELD_OUT for row in samples])
+    held = np.array([row.use is Use.HELD_OUT for row in samples], dtype=bool)
     ids = tuple(row.id for row in samples)
     marks = (
         Marks(x[~held], y[~held], Role.FIT, "fit", tuple(i for i, h in zip(ids, held, strict=True) if not h)),

@@ -46,7 +46,9 @@ class FinePanel(StepPanel):
         """Write all again."""
         chosen = self.extra.get("chosen_faces", ())
         self.hint.setText(
-            self.tr("%n face(s) chosen. Click a face of the CAD model to choose it or to take it off.", "", len(chosen))
+            self.tr("Faces chosen: {count}. Click a face of the CAD model to choose it or to take it off.").format(
+                count=len(chosen)
+            )
         )
         hold = self.extra.get("hold", "")
         self.hold.setText(f"▲ {sentence(hold)}")

@@ -1,36 +1,47 @@
-"""Stylus and tool: how far the touches are, part by part; a suggested touch can be taken in addition."""
+"""Stylus and tool: how many touches of each kind there are; the suggested touch can be added to the plan.
+
+Object names: tool_kinds, take_suggested.
+"""
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from collections import Counter
+from typing import Any
 
-from beltgui.app.language import sentence
-from beltgui.wizard.panel import StepPanel
+from PySide6.QtWidgets import QLabel, QWidget
+
+from beltgui.wizard.suggested import SuggestedPanel
 
 
-class ToolPanel(StepPanel):
-    """One line for each part; `extra["parts"]` holds (name, touches taken, touches planned)."""
+class ToolPanel(SuggestedPanel):
+    """Own controls of the tool step."""
 
     def __init__(self, step: str, parent: QWidget | None = None) -> None:
         super().__init__(step, parent)
-        self.parts = QLabel(self)
-        self.parts.setObjectName("tool_parts")
-        self.parts.setWordWrap(True)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.parts)
+        self.kinds = QLabel(self)
+        self.kinds.setObjectName("tool_kinds")
+        self.kinds.setWordWrap(True)
+        self.column.insertWidget(0, self.kinds)
 
     def refresh(self) -> None:
         """Write all again."""
-        lines = [
-            self.tr("{sign} {part}: {taken} of {planned} touches").format(
-                sign="✔" if taken >= planned else "▶" if taken else "○",
-                part=sentence(name),
-                taken=taken,
-                planned=planned,
-            )
-            for name, taken, planned in self.extra.get("parts", ())
-        ]
-        self.parts.setText("\n".join(lines))
-        self.parts.setVisible(bool(lines))
-        self.parts.setAccessibleName("; ".join(lines))
+        super().refresh()
+        counts = self._counts()
+        words = self.tr("Touches: {cone} in the cone, {shaft} on wheel shafts; {stop} readings at the heads' stops.")
+        self.kinds.setText(words.format(cone=counts["cone"], shaft=counts["shaft"], stop=counts["stop"]))
+        self.kinds.setVisible(bool(counts))
+
+    def added(self, suggested: Any) -> tuple[str, Any]:
+        """A touch of a shaft is a head angle of its grinder, one of the cone is a pose."""
+        if "grinder" not in suggested:
+            return "extra_cone", [*self.extra.get("extra_cone", ()), suggested]
+        shafts = {name: list(angles) for name, angles in self.extra.get("extra_shafts", {}).items()}
+        shafts.setdefault(suggested["grinder"], []).append(suggested["angle_deg"])
+        return "extra_shafts", shafts
+
+    def _counts(self) -> Counter[str]:
+        content = self.view.content if self.view is not None else None
+        keys = [column.key for column in content.columns] if content is not None else []
+        if content is None or "kind" not in keys:
+            return Counter()
+        return Counter(str(row.cells[keys.index("kind")]) for row in content.rows)
