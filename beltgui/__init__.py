@@ -1,3 +1,3 @@
 """Commissioning, daily check and offline work on a belt grinding cell; above `devices` and `core`."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -6,6 +6,7 @@ import re
 import shutil
 import sqlite3
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,18 +14,19 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from beltgui import commissioning
-from beltgui.commissioning import Commissioner, Commissioning
+from beltgui.commissioning import Commissioner
 from beltgui.demo import DemoResult, run_demo
 from beltgui.jobs import Cancelled, Job
 from beltgui.replay import replay_session
 from beltgui.session import Session
+from beltgui.steps.ball.room import BallRoom
 from beltgui.steps.blocks import plain
-from beltgui.steps.sources import LiveSource, RecordedSource
+from beltgui.steps.context import Context
+from beltgui.steps.room import Bench, Room
+from beltgui.steps.rooms import ROOMS
 from beltgui.steps.state import STEPS, StepEvent, StepState
 from core.errors import InputError
 from core.path import read_urscript
-from devices.interfaces import Mount
 from tests.beltgui.live import Live, blade_and_model
 from tests.beltgui.report_reader import Report
 
@@ -159,11 +161,11 @@ def test_the_session_holds_every_sample_and_result(done: DemoResult) -> None:
         assert len(session.points(scan)) > 10_000
         info = session.info()
     assert counts == {
-        ("ball", "scan"): 20, ("base", "scan"): 15, ("rough", "scan"): 2, ("fine", "scan"): 2,
+        ("ball", "scan"): 19, ("base", "scan"): 14, ("rough", "scan"): 2, ("fine", "scan"): 2,
         ("tool", "cone_touch"): 12, ("tool", "shaft_touch"): 12, ("error_surface", "scan"): 2,
         ("error_surface", "line"): GRID[1], ("error_surface", "check"): 3, ("error_surface", "closing_scan"): 2,
     }  # fmt: skip
-    assert all(result is not None and result.accepted for result in results.values())
+    assert all(result is not None and result.ok for result in results.values())
     assert info["simulated"] is True and info["seed"] == 0
     for name in ("blade", "cell"):
         assert (done.session / "inputs" / info[name]).is_file()
@@ -231,7 +233,7 @@ def test_a_session_replays_identically(done: DemoResult) -> None:
 def test_a_changed_sample_shows_in_its_step_and_not_before(
     done: DemoResult, copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(commissioning.ball, "solve", lambda *words: done.found.ball)  # shown to repeat above
+    monkeypatch.setattr(BallRoom, "solve", lambda *words: done.found.ball)  # shown to repeat above
     with Session.open(copy) as session:
         sample = session.samples("base", "scan")[4]
     data = sample.data | {"stage_mm": [sample.data["stage_mm"][0] + 0.2, *sample.data["stage_mm"][1:]]}
@@ -253,10 +255,10 @@ def test_a_changed_sample_shows_in_its_step_and_not_before(
         (lambda folder: (folder / "inputs" / "dr95.toml").unlink(), r"dr95\.toml"),
         (lambda folder: (folder / "inputs" / "dr95.step").unlink(), r"dr95\.step"),
         (lambda folder: (folder / "inputs" / "simulated.toml").unlink(), r"simulated\.toml"),
-        (lambda folder: change(folder, "DELETE FROM info WHERE key = 'grinder'"), "does not say its grinder"),
-        (lambda folder: change(folder, "UPDATE info SET value = '99' WHERE key = 'format'"), "format 99, expected 1"),
+        (lambda folder: change(folder, "DELETE FROM info WHERE key = 'date'"), "does not say its date"),
+        (lambda folder: change(folder, "UPDATE info SET value = '99' WHERE key = 'format'"), "format 99, expected 2"),
         (lambda folder: (folder / "clouds" / "00001_ball.npy").write_bytes(b"x"), "the cloud of sample 1 cannot"),
-        (lambda folder: change(folder, "DELETE FROM sample"), "no sample 'scan' of the step 'ball'"),
+        (lambda folder: change(folder, "DELETE FROM sample"), "No scan shows the ball yet. Take the scans"),
     ],
 )
 def test_what_is_no_whole_session_is_refused_in_a_sentence(
@@ -267,74 +269,87 @@ def test_what_is_no_whole_session_is_refused_in_a_sentence(
         replay_session(copy)
 
 
-@pytest.mark.parametrize(("step", "kind"), [("base", "scan"), ("tool", "shaft_touch"), ("error_surface", "check")])
-def test_missing_samples_are_named(copy: Path, step: str, kind: str) -> None:
+@pytest.mark.parametrize(
+    ("step", "kind", "said"),
+    [
+        ("base", "scan", "No scan shows the ball yet. Take the scans."),
+        ("tool", "shaft_touch", "12 of 26 planned touches and readings are missing. Take the missing ones."),
+        ("error_surface", "line", "No line of the airfoil has been probed on grinder fine. Probe it first."),
+        ("error_surface", "check", "20 of 23 lines of the airfoil are probed."),
+    ],
+)
+def test_missing_samples_are_named(done: DemoResult, copy: Path, step: str, kind: str, said: str) -> None:
     change(copy, "DELETE FROM sample WHERE step = ? AND kind = ?", step, kind)
-    read: dict[str, Callable[[RecordedSource], object]] = {
-        "base": lambda source: source.base(Job()),
-        "tool": lambda source: source.tool(Job()),
-        "error_surface": lambda source: source.error_surface(Job(), None, None),  # type: ignore[arg-type]
-    }
-    with Session.open(copy) as session, pytest.raises(InputError, match=f"no sample '{kind}' of the step '{step}'"):
-        read[step](RecordedSource(session))
+    bench = done.found.bench
+    with Session.open(copy) as session:
+        there = Bench(session, bench.plan, bench.blade, bench.model, bench.date, dict(bench.found))
+        try:
+            messages = [reason.message for reason in ROOMS[step].solve(there, Job()).verdict.reasons]
+        except InputError as error:
+            messages = [str(error)]
+    assert any(said in message for message in messages), messages
 
 
 # ---- cancel
 
 
-@pytest.fixture
-def solved(done: DemoResult, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Steps find at once what the demonstration found; only the acquisition is real."""
-    found = done.found
-    for step in ("ball", "base", "rough", "tool"):
-        outcome = getattr(found, step)
-        monkeypatch.setattr(getattr(commissioning, step), "solve", lambda *words, outcome=outcome: outcome)
-    fines = iter((found.fine, found.clamped_again))
-    monkeypatch.setattr(commissioning.fine, "solve", lambda *words, **named: next(fines))
+@dataclass(frozen=True)
+class AlreadyFound:
+    """A room whose step was done before: only what comes after it is real."""
 
+    room: Room
+    outcome: Any
 
-class From:
-    """A source of recorded samples for the steps before one, and of the live cell's samples from that one on."""
-
-    def __init__(self, recorded: RecordedSource, live: LiveSource, first: str) -> None:
-        self._recorded, self._live, self._first = recorded, live, first
+    @property
+    def step(self) -> str:
+        return self.room.step
 
     def __getattr__(self, name: str) -> Any:
-        step = "error_surface" if name == "clamped_again" else name
-        return getattr(self._live if STEPS.index(step) >= STEPS.index(self._first) else self._recorded, name)
+        return getattr(self.room, name)
+
+    def acquire(self, bench: Bench, context: Context) -> None:
+        pass
+
+    def solve(self, bench: Bench, job: Job) -> Any:
+        return self.outcome
 
 
 @pytest.mark.parametrize(
-    ("step", "when", "kind"),
+    ("step", "when", "kind", "kept"),
     [
-        ("ball", "scan 3 of", "scan"),
-        ("base", "scan 3 of", "scan"),
-        ("rough", "scan 1 of", "scan"),
-        ("fine", "scan 1 of", "scan"),
-        ("tool", "cone touch 4 of", "cone_touch"),
-        ("error_surface", "probing line 2 of", "line"),
+        ("ball", "scan 3 of", "scan", 3),
+        ("base", "scan 3 of", "scan", 3),
+        ("rough", "scan 1 of", "scan", 1),
+        ("fine", "scan 1 of", "scan", 1),
+        ("tool", "cone touch 4 of", "cone_touch", 4),
+        ("error_surface", "probing line 2 of", "line", 1),
     ],
 )
-@pytest.mark.usefixtures("solved")
-def test_every_step_can_be_cancelled(done: DemoResult, tmp_path: Path, step: str, when: str, kind: str) -> None:
+def test_every_step_can_be_cancelled(
+    done: DemoResult, tmp_path: Path, step: str, when: str, kind: str, kept: int
+) -> None:
     events: list[StepEvent] = []
     job = Job(lambda fraction, message: job.cancel() if when in message else None)
     blade, model = blade_and_model()
-    with Session.open(done.session) as recorded, Live.start(tmp_path / "session") as live:
-        context = live.with_job(job)
-        if step == "fine":
-            context.cell.operator.perform(Mount("blade", context.serial))
-        commissioner = Commissioner(
-            source=From(RecordedSource(recorded), LiveSource(context), step), plan=context.plan, blade=blade,
-            model=model, grinder="fine", date="2026-01-01", job=job, on_step=events.append,
-            keep=lambda name, record, ok: live.session.put_result(name, plain(record), accepted=ok),
-        )  # fmt: skip
-        with pytest.raises(Cancelled):
-            commissioner.run(Commissioning())
-    assert events[-1] == StepEvent(step, StepState.NOT_STARTED, "cancelled")
     before = list(STEPS[: STEPS.index(step)])
+    rooms = {
+        name: AlreadyFound(room, done.found.bench.found[name]) if name in before else room
+        for name, room in ROOMS.items()
+    }
+    with Live.start(tmp_path / "session") as live:
+        bench = Bench(live.session, live.context.plan, blade, model, "2026-01-01")
+
+        def keep(name: str, record: Any, headline: str, ok: bool) -> None:
+            live.session.put_result(name, plain(record), ok=ok, headline=headline)
+
+        def acquire(room: Room, part: Job) -> None:
+            room.acquire(bench, live.with_job(part))
+
+        with pytest.raises(Cancelled):
+            Commissioner(bench, acquire, job, keep, events.append, rooms).run()
+    assert events[-1] == StepEvent(step, StepState.NOT_STARTED, "cancelled")
     assert [event.step for event in events if event.state is StepState.ACCEPTED] == before
     with Session.open(tmp_path / "session") as session:
         assert list(session.steps_with_results()) == before
         samples = session.samples(step, kind)
-    assert len(samples) == int(re.search(r"\d+", when).group())  # type: ignore[union-attr]
+    assert len(samples) == kept
