@@ -78,6 +78,7 @@ class DeviceStrip(QWidget):
             text = self.tr("{person} works on blade type {blade_type}, serial {serial}")
         elif blade_type:
             text = self.tr("{person} works on blade type {blade_type}")
+        self._sentence.setStyleSheet(f"font-size: {px(12)}px;")
         self._sentence.setText(text.format(person=person, blade_type=blade_type, serial=serial))
 
     def _label(self, name: str) -> QLabel:

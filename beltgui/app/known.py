@@ -71,8 +71,9 @@ class Known:
                 pass  # nothing that lasts
 
     def engine_gone(self) -> None:
-        """Nothing runs any more and nobody is asked; what was shown stays."""
+        """Nothing runs any more, nobody is asked, and of the devices there is no news; what was shown stays."""
         self.job = self.progress = self.question = self.cell = None
+        self.devices = tuple(DeviceState(device.name, "stale") for device in self.devices)
 
     @property
     def moving(self) -> bool:

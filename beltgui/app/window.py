@@ -6,19 +6,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMainWindow, QMenuBar, QStackedWidget, QVBoxLayout, QWidget
 
 from beltgui.app import dialogs, language, settings
 from beltgui.app.client import EngineClient
+from beltgui.app.closing import Closing
 from beltgui.app.device_strip import DeviceStrip
 from beltgui.app.doors import Doors
 from beltgui.app.help_panel import HelpPanel
 from beltgui.app.known import Known
 from beltgui.app.language import sentence
+from beltgui.app.lock import export_lock
 from beltgui.app.menus import Menus
-from beltgui.app.names import state_word
 from beltgui.app.notice import Notice
 from beltgui.app.rail import StepRail
 from beltgui.app.start_page import Begin, StartPage
@@ -47,13 +48,9 @@ from beltgui.engine.messages import (
     Stop,
 )
 from beltgui.steps.state import STEPS, StepState
-from beltgui.widgets.words import step_word
 
 if TYPE_CHECKING:
     from beltgui.wizard.page import StepPage
-
-# How long the engine may take to stop everything before the window closes without its word.
-PATIENCE_MS = 3000
 
 
 class MainWindow(QMainWindow):
@@ -89,12 +86,9 @@ class MainWindow(QMainWindow):
         self._step = STEPS[0]
         self._looked = False
         self._tour_wanted = False
-        self._closing = False
         self._engine_version = ""
         self._build(person, config)
-        self._patience = QTimer(self)
-        self._patience.setSingleShot(True)
-        self._patience.timeout.connect(self._close_now)
+        self.closing = Closing(client, self.close, self)
         client.event.connect(self.show_event)
         client.ended.connect(self._engine_ended)
         client.restarted.connect(self._engine_starting)
@@ -178,8 +172,10 @@ class MainWindow(QMainWindow):
             self.page.show_cell(self.known.cell)
 
     def _fit_screen(self) -> None:
-        screen = QGuiApplication.primaryScreen().availableSize()
-        self.resize(min(theme().px(1280), screen.width()), min(theme().px(800), screen.height()))
+        there = QGuiApplication.primaryScreen().availableGeometry()
+        share = 1.0 if there.width() < theme().px(1400) else 0.92
+        self.resize(round(there.width() * share), round(there.height() * share))
+        self.move(there.center() - self.rect().center())
 
     # ---- what the engine says
 
@@ -259,8 +255,7 @@ class MainWindow(QMainWindow):
                 self.message.say("warn", sentence(event.message))
             case "crashed":
                 self._show_fault(event.message)
-        if self._closing:
-            self._close_now()
+        self.closing.all_stopped()
 
     def _refused(self, text: str) -> None:
         if self.stack.currentWidget() is self.start_page:
@@ -275,14 +270,14 @@ class MainWindow(QMainWindow):
 
     def _engine_ended(self, why: str) -> None:
         self.known.engine_gone()
+        self.device_strip.show_devices(self.known.devices)
         self.start_page.set_busy(False)
         self.engine_notice.say(
             "bad", self.tr("The engine has ended; nothing is asked of the cell any more. Everything that was taken is "
                            "kept."), self.tr("Start it &again"), self.client.restart, details=why, stays=True,
         )  # fmt: skip
         self._refresh()
-        if self._closing:
-            self._close_now()
+        self.closing.all_stopped()
 
     def _engine_starting(self) -> None:
         self.engine_notice.say("info", self.tr("The engine is starting…"), stays=True)
@@ -372,14 +367,7 @@ class MainWindow(QMainWindow):
             self.page.show_question(self.known.question)
 
     def _export_lock(self) -> tuple[str, ...]:
-        lock = []
-        for view in self.known.not_accepted():
-            if isinstance(view, str):
-                lock.append(self.tr("{step}: nothing has been taken yet.").format(step=step_word(view)))
-            else:
-                why = " ".join(sentence(line) for line in view.why)
-                lock.append(f"{step_word(view.step)}: {state_word(view.state)}. {why}".strip())
-        return tuple(lock)
+        return export_lock(self.known)
 
     def _write(self) -> None:
         session = self.known.session
@@ -414,18 +402,11 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802  (Qt's name)
         """Stop what moves, then close; nothing needs saving."""
-        if self.known.moving and self.client.running and not self._closing:
-            self._closing = True
-            self.client.send(Hold(False))
-            self.client.send(Stop())
+        if not self.closing.may_close(self.known.moving):
             self.stack.setEnabled(False)
             self.message.say("warn", self.tr("Stopping, then closing. Everything is kept; nothing needs saving."),
                              stays=True)  # fmt: skip
-            self._patience.start(PATIENCE_MS)
             event.ignore()
-            return
-        if self._closing and self._patience.isActive():
-            event.ignore()  # it is waited for already
             return
         event.accept()
         self.hide()  # what follows may take a moment, and nobody should look at a window that does not answer
@@ -436,7 +417,3 @@ class MainWindow(QMainWindow):
         if self.page is not None:
             self.page.shut_down()
         self.closed.emit()
-
-    def _close_now(self) -> None:
-        self._patience.stop()
-        self.close()

@@ -308,10 +308,11 @@ def test_only_the_last_of_many_positions_is_shown(screen: Screen) -> None:
 
 def test_an_engine_that_has_ended_is_started_again_with_its_session(screen: Screen) -> None:
     screen.open()
-    screen.say(JOB)
+    screen.say(DevicesChanged((DeviceState("robot", "simulated"),)), JOB)
     screen.engine.now.die("The engine has ended by itself (exit code -9).")
     screen.qtbot.waitUntil(lambda: "The engine has ended" in screen.window.engine_notice.text())
     assert screen.page.job == (None, None) and screen.page.read_only
+    assert "◆ Robot: no news" in screen.window.device_strip.text()
     screen.button("engine_notice_details").click()
     assert "exit code -9" in screen.window.findChild(QObject, "fault_text").toPlainText()
     screen.button("engine_notice_button").click()
