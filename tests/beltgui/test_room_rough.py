@@ -9,7 +9,7 @@ import pytest
 
 from beltgui.jobs import Cancelled, Job
 from beltgui.steps.room import Bench
-from beltgui.steps.rough.picks import read_pairs, with_included, without
+from beltgui.steps.rough.picks import delete_pair, include_pair, read_pairs, with_included, without
 from beltgui.steps.views.drawing import count_points
 from beltgui.viewmodel.scene import Lines, Mesh, Points
 from beltgui.viewmodel.step import Use
@@ -267,11 +267,11 @@ def test_too_few_pairs_say_how_many_are_missing(
     assert content.extra["more_needed"] == needed and content.extra["next_name"] == "pair 1"
 
 
-def test_a_half_picked_pair_waits_for_its_other_side(cell: BladeBench) -> None:
-    pairs = [*cell.pairs(3), {"name": "tip", "scan_mm": None, "cad_mm": [0.0, 0.0, 200.0]}]
-    cell.choose("rough", "method", "pairs")
-    cell.choose("rough", "pairs", pairs)
-    content = cell.rough.view(cell.bench, None)
+def test_a_half_picked_pair_waits_for_its_other_side(cell: BladeBench, by_pairs: Any) -> None:
+    outcome = by_pairs(cell.pairs(3))
+    cell.choose("rough", "pairs", [*cell.pairs(3), {"name": "tip", "scan_mm": None, "cad_mm": [0.0, 0.0, 200.0]}])
+    assert cell.solve("rough") is outcome  # nobody is kept waiting for what changes nothing
+    content = cell.rough.view(cell.bench, outcome)
     check_whole(content)
     assert content.extra["message"] == "Pick 'tip' on the scan too."
     assert content.rows[3].use is Use.EXCLUDED and "on the scan" in content.rows[3].note
@@ -295,6 +295,17 @@ def test_what_is_no_pair_is_refused_and_the_screen_still_shows_why(
     with pytest.raises(InputError, match=sentence):
         cell.solve("rough")
     assert sentence in cell.rough.view(cell.bench, None, "").reasons[0].message
+
+
+def test_rows_of_pairs_are_ticked_and_deleted_through_the_setting(cell: BladeBench) -> None:
+    session = cell.live.session
+    cell.choose("rough", "pairs", cell.pairs(4))
+    include_pair(session, -2, False, PERSON)
+    assert [pair.included for pair in read_pairs(session.setting("rough", "pairs"))] == [True, False, True, True]
+    delete_pair(session, -1, PERSON)
+    assert [pair.name for pair in read_pairs(session.setting("rough", "pairs"))] == ["corner 2", "corner 3", "corner 4"]
+    session.undo("rough", PERSON)
+    assert len(session.setting("rough", "pairs")) == 4
 
 
 def test_a_row_that_is_gone_cannot_be_edited(cell: BladeBench) -> None:

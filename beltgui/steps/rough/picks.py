@@ -1,6 +1,7 @@
 """Pairs of points that a person picked on scan and CAD model: the setting `pairs`, read and edited.
 
-Rows of the table that stand for pairs have negative ids: the first pair is -1, the second -2, and so on.
+Rows of the table that stand for pairs have negative ids: the first pair is -1, the second -2, and so on. Ticking or
+deleting such a row changes the setting, and is undone like any other choice.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from beltgui.session import Session
 from beltgui.steps.room import Bench
 from core.errors import InputError
 
@@ -126,6 +128,24 @@ def without(pairs: Sequence[Pair], row: int) -> list[dict[str, Any]]:
     """
     index = _index(pairs, row)
     return [pair.plain() for k, pair in enumerate(pairs) if k != index]
+
+
+def include_pair(session: Session, row: int, on: bool, person: str) -> None:
+    """Tick or untick the pair of a row.
+
+    Raises:
+        InputError: there is no such pair, or the session cannot be changed.
+    """
+    session.choose(STEP, PAIRS, with_included(read_pairs(session.setting(STEP, PAIRS, [])), row, on), person)
+
+
+def delete_pair(session: Session, row: int, person: str) -> None:
+    """Take the pair of a row away.
+
+    Raises:
+        InputError: there is no such pair, or the session cannot be changed.
+    """
+    session.choose(STEP, PAIRS, without(read_pairs(session.setting(STEP, PAIRS, [])), row), person)
 
 
 def next_name(pairs: Sequence[Pair]) -> str:
