@@ -161,7 +161,8 @@ class Canvas(QWidget):
         self._dirty = True
         if not self._in_flight and not self._gather.isActive():
             self._gather.start()
-        self.update()
+        if self._picture.isNull():
+            self.update()  # the notice
 
     def shut_down(self) -> None:
         """No more pictures."""

@@ -74,14 +74,17 @@ class ProcessDrawer(QThread):
 
     def run(self) -> None:
         """The thread: everything that waits for the process is in here."""
-        connection = self._begin()
-        if connection is None:
-            return
+        connection: Connection | None = None
         try:
-            self._serve(connection)
+            connection = self._begin()
+            if connection is not None:
+                self._serve(connection)
         finally:
-            connection.close()
+            if connection is not None:
+                connection.close()
             self._end()
+            if not self._stopping:
+                self.lost.emit()
 
     def _begin(self) -> Connection | None:
         context = multiprocessing.get_context("spawn")
@@ -103,8 +106,6 @@ class ProcessDrawer(QThread):
                 connection.send((request, memory.name))
                 seconds = connection.recv()
             except (EOFError, BrokenPipeError, ConnectionResetError):
-                if not self._stopping:
-                    self.lost.emit()
                 return
             self.drawn.emit(Picture(np.array(np.ndarray(shape, dtype=np.uint8, buffer=memory.buf)), seconds))
 

@@ -110,7 +110,7 @@ def test_each_kind_of_item_is_seen_in_its_role_s_colour(
 ) -> None:
     view = open_view()
     without = share_of(shown(qtbot, view, scene(BOX)), role, within=60)
-    assert share_of(shown(qtbot, view, scene(BOX, item)), role, within=60) > without + 2e-4
+    assert share_of(shown(qtbot, view, scene(BOX, item)), role, within=60) > without + 1e-4
 
 
 def test_a_frame_has_three_axes_and_their_names(qtbot: QtBot, open_view: Callable[..., SceneView]) -> None:
