@@ -91,10 +91,8 @@ class Menus(QObject):
         self._add(menu, "step_before", self.tr("Step &before"), lambda: self._window.look_by(-1), "Ctrl+PgUp")
         self._add(menu, "step_after", self.tr("Step &after"), lambda: self._window.look_by(+1), "Ctrl+PgDown")
         menu.addSeparator()
-        stop = self._add(menu, "stop", self.tr("&Stop every motion at once"), self._window.stop)
-        # A dialog's Esc closes the dialog; F12 stops from every window of the program.
-        stop.setShortcuts([QKeySequence("F12"), QKeySequence("Esc")])
-        stop.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+        stop = self._add(menu, "stop", self.tr("&Stop every motion at once"), self._window.stop, "F12")
+        stop.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)  # from every window of the program
 
     def _view(self) -> None:
         menu = self._menu(self.tr("&View"))

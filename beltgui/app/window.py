@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QGuiApplication
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMainWindow, QMenuBar, QStackedWidget, QVBoxLayout, QWidget
 
 from beltgui.app import dialogs, language, settings
@@ -145,6 +145,8 @@ class MainWindow(QMainWindow):
         self.help_panel.hide()
         self.top_bar.help.connect(self.help_panel.toggleViewAction().trigger)
         self.menus = Menus(self)
+        # Esc stops from this window; in a window beside it closes that one, there F12 stops.
+        QShortcut(QKeySequence(Qt.Key.Key_Escape), self).activated.connect(self.stop)
 
     def add_page(self) -> None:
         """Make the page of the steps and show on it what is known already."""

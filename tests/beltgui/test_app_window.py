@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QSettings, Qt, QTimer
-from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QLineEdit, QPushButton, QTableWidget
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLabel, QLineEdit, QPushButton, QTableWidget
 from pytestqt.qtbot import QtBot
 
 from beltgui.app import language, settings
@@ -276,6 +276,19 @@ def test_stop_is_enabled_whatever_happens(screen: Screen, situation: str) -> Non
     assert screen.engine.now.told(Stop) == expected and screen.page.calls.count("stop") == 3
     assert "top" in screen.window.message.text() or "no motion is asked for" in screen.window.message.text()
     screen.qtbot.mouseRelease(stop, Qt.MouseButton.LeftButton)
+
+
+def test_stop_works_from_a_window_beside_and_esc_closes_that_one(screen: Screen) -> None:
+    screen.open()
+    screen.window.show_keyboard()
+    dialog = screen.window.findChild(QDialog, "keyboard_dialog")
+    screen.qtbot.waitExposed(dialog)
+    dialog.activateWindow()
+    screen.qtbot.waitUntil(lambda: QApplication.activeWindow() is dialog)
+    screen.qtbot.keyClick(dialog, Qt.Key.Key_F12)
+    assert screen.engine.now.told(Stop) == [Stop()]
+    screen.qtbot.keyClick(dialog, Qt.Key.Key_Escape)
+    assert screen.engine.now.told(Stop) == [Stop()] and not dialog.isVisible()
 
 
 def test_leaving_the_window_lets_a_held_motion_go(screen: Screen) -> None:
