@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 
 from PySide6.QtCore import QEvent
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from beltgui.app.elided import ElidedLabel
@@ -63,15 +64,15 @@ class DeviceStrip(QWidget):
         self._layout.setSpacing(px(14))
         self.setAccessibleName(self.tr("Devices"))
         for device in self._devices:
-            self._label(device.name).setText(self._words(device))
             label = self._label(device.name)
             label.setStyleSheet(f"color: {colour(device.state)}; font-size: {px(12)}px;")
             label.setToolTip(self._tip(device))
-            label.setAccessibleName(f"{label.text()}. {label.toolTip()}")
+            label.setAccessibleName(f"{self._words(device, with_time=True)}. {label.toolTip()}")
         for name in self._labels.keys() - {device.name for device in self._devices}:
             label = self._labels.pop(name)
             self._layout.removeWidget(label)
             label.deleteLater()
+        self._fit()
         person, blade_type, serial = self._who
         text = ""
         if blade_type and serial:
@@ -81,6 +82,19 @@ class DeviceStrip(QWidget):
         self._sentence.setStyleSheet(f"font-size: {px(12)}px;")
         self._sentence.setText(text.format(person=person, blade_type=blade_type, serial=serial))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802  (Qt's name)
+        """Leave out the times where there is no room for them; the tool tips have them."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        needed = sum(
+            self._label(device.name).fontMetrics().horizontalAdvance(self._words(device, with_time=True)) + px(16)
+            for device in self._devices
+        )
+        for device in self._devices:
+            self._label(device.name).setText(self._words(device, with_time=needed < self.width()))
+
     def _label(self, name: str) -> QLabel:
         if name not in self._labels:
             label = QLabel(self)
@@ -89,9 +103,9 @@ class DeviceStrip(QWidget):
             self._labels[name] = label
         return self._labels[name]
 
-    def _words(self, device: DeviceState) -> str:
-        shape = SHAPES.get(device.state, "●")
-        return f"{shape} {device_name(device.name)}: {device_state_word(device.state)} {self._since[device.name]:%H:%M}"
+    def _words(self, device: DeviceState, *, with_time: bool) -> str:
+        words = f"{SHAPES.get(device.state, '●')} {device_name(device.name)}: {device_state_word(device.state)}"
+        return f"{words} {self._since[device.name]:%H:%M}" if with_time else words
 
     def _tip(self, device: DeviceState) -> str:
         since = self.tr("{state} since {time}").format(

@@ -1,5 +1,6 @@
 """The window with an engine that does nothing: what it shows for each thing said, what it sends for each thing done."""
 
+import re
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -301,7 +302,11 @@ def test_leaving_the_window_lets_a_held_motion_go(screen: Screen) -> None:
 
 def test_devices_say_state_and_since_when(screen: Screen) -> None:
     screen.say(DevicesChanged(tuple(DeviceState(name, "simulated") for name in DEVICES)))
-    assert "■ Grinder fine: simulated" in screen.window.device_strip.text()
+    screen.window.device_strip.resize(2000, 30)
+    assert re.search(r"■ Grinder fine: simulated \d\d:\d\d", screen.window.device_strip.text())
+    screen.window.device_strip.resize(500, 30)  # no room for the times
+    assert re.search(r"■ Grinder fine: simulated(?! \d)", screen.window.device_strip.text())
+    screen.window.device_strip.resize(2000, 30)
     screen.say(DevicesChanged((DeviceState("robot", "fault", "The robot does not answer."),)))
     label = screen.window.findChild(QLabel, "device_robot")
     assert label.text().startswith("✖ Robot: fault ") and "fault since " in label.toolTip()
