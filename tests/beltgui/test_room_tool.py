@@ -143,6 +143,10 @@ def test_what_is_there_so_far_is_solved_and_what_is_missing_is_said(
     assert sentence in said(content)
     assert not content.ok and content.provisional is solvable
     assert len(content.rows) == count
+    if count >= 2:
+        assert content.scene is not None
+        focus = "cone" if count < 12 else "rough" if count < 18 else "fine"
+        assert content.scene.view == f"tool {focus}"
 
 
 def test_excluded_touches_keep_their_residual_and_have_no_say(bench: Bench) -> None:

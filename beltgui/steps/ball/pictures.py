@@ -69,7 +69,7 @@ def scene(plan: CellPlan, outcome: BallOutcome, advice: StageAdvice | None) -> S
         *_last_scan(outcome),
         *_positions(outcome, len(plan.stage_step)),
         *_residuals(outcome, len(plan.stage_step)),
-        _suggested(fit, advice),
+        *_suggested(fit, advice),
     ]
     legend = (
         *LEGEND,
@@ -84,7 +84,7 @@ def _axes(fit: StageFit) -> list[Item]:
     labels = [f"stage {name}{' (assumed)' if name in fit.assumed else ''}" for name in "xyz"]
     items: list[Item] = list(drawing.arrows("stage axis", np.zeros(3), fit.axes, AXIS_LENGTH_MM, labels))
     for (i, j), pair, angle in zip(((0, 1), (1, 2), (2, 0)), ("xy", "yz", "zx"), fit.squareness_rad, strict=True):
-        at = 0.45 * AXIS_LENGTH_MM * (fit.axes[:, i] + fit.axes[:, j])
+        at = 0.8 * AXIS_LENGTH_MM * (fit.axes[:, i] + fit.axes[:, j])
         corner = 0.3 * AXIS_LENGTH_MM * np.array([fit.axes[:, i], fit.axes[:, i] + fit.axes[:, j], fit.axes[:, j]])
         items.append(Lines(f"square {pair}", (drawing.display(corner),), Role.MUTED, 1.0))
         items.append(drawing.label(f"squareness {pair}", at, f"{pair}: 90 deg {np.degrees(angle):+.4f} deg"))
@@ -136,12 +136,15 @@ def _residuals(outcome: BallOutcome, planned: int) -> list[Item]:
     return items
 
 
-def _suggested(fit: StageFit, advice: StageAdvice | None) -> Item | None:
+def _suggested(fit: StageFit, advice: StageAdvice | None) -> list[Item]:
     if advice is None or advice.opens:
-        return None
+        return []
     stage = advice.pose.stage
-    pose = fit.measure_from_scanner_at([stage.x_mm, stage.y_mm, stage.z_mm], stage.theta_rad)
-    return Points("suggested scanner", drawing.display(pose[:3, 3]), Role.SUGGESTION, size_px=12.0)
+    at = fit.measure_from_scanner_at([stage.x_mm, stage.y_mm, stage.z_mm], stage.theta_rad)[:3, 3]
+    return [
+        Points("suggested scanner", drawing.display(at), Role.SUGGESTION, size_px=12.0),
+        drawing.label("suggested label", at, "next scan", Role.SUGGESTION),
+    ]
 
 
 def plots(outcome: BallOutcome, planned: int) -> tuple[Plot, ...]:

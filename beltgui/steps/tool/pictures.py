@@ -33,28 +33,58 @@ LEGEND = (
 )
 
 
-def scene(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None, advice: Advice | None) -> Scene:
-    """Robot base, the stylus in the cone, and every grinder with its touches, in {B}."""
+ALL = "all"
+CONE = "cone"
+
+
+def scene(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None, advice: Advice | None, focus: str) -> Scene:
+    """The stylus in the cone and the grinders with their touches, in {B}.
+
+    Args:
+        plan: Nominal places where nothing has been found yet.
+        touches: All of them.
+        outcome: None before there is one.
+        advice: Where one more touch would add most.
+        focus: `CONE`, a grinder's name, or `ALL`: cone and grinders stand metres apart.
+    """
+    items: list[Item | None] = []
+    if focus in (CONE, ALL):
+        items += _cone(plan, touches, outcome)
+    for name, grinder in plan.grinders.items():
+        if focus in (name, ALL):
+            items += _grinder(name, grinder, plan, touches, outcome)
+    if focus == ALL:
+        items += [drawing.frame("B", np.eye(4), 150.0), drawing.robot_base("robot", np.eye(4))]
+    if outcome is not None:
+        items += _residuals(outcome, focus)
+    if outcome is not None and advice is not None:
+        part = CONE if isinstance(advice, ConeAdvice) else advice.grinder
+        items += _suggested(advice, outcome, plan) if focus in (part, ALL) else []
+    titles = {CONE: "Stylus in the cone", ALL: "Stylus in the cone and on the wheel shafts"}
+    title = titles.get(focus, f"Stylus on the wheel shaft of grinder {focus}")
+    return drawing.scene(title, "B", items, view=f"tool {focus}", legend=LEGEND)
+
+
+def _cone(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None) -> list[Item]:
     tip = plan.stylus.nominal_tip_in_flange_mm if outcome is None else outcome.stylus.tip_in_flange_mm
     cone = plan.stylus.cone_in_base_mm if outcome is None else outcome.stylus.pivot_in_base_mm
-    items: list[Item | None] = [
-        drawing.frame("B", np.eye(4), 150.0),
-        drawing.robot_base("robot", np.eye(4)),
+    return [
         drawing.label("cone label", cone - np.array([0.0, 0.0, 30.0]), "cone"),
         *_styluses(touches.cone, tip, cone, len(plan.stylus.touches)),
     ]
-    for name, grinder in plan.grinders.items():
-        shafts = [touch for touch in touches.shafts if touch.grinder == name]
-        items += _touch_points(name, shafts, tip, len(grinder.touch_angles_rad))
-        if outcome is not None and name in outcome.wheels:
-            items += _wheel(name, outcome.wheels[name], grinder)
-    if outcome is not None:
-        items += _residuals(outcome)
-        items += _suggested(advice, outcome, plan)
-    return drawing.scene(
-        "Stylus in the cone and on the wheel shafts", "B", items, view="tool" if outcome is None else "tool solved",
-        legend=LEGEND,
-    )  # fmt: skip
+
+
+def _grinder(
+    name: str, grinder: GrinderPlan, plan: CellPlan, touches: Touches, outcome: ToolOutcome | None
+) -> list[Item]:
+    tip = plan.stylus.nominal_tip_in_flange_mm if outcome is None else outcome.stylus.tip_in_flange_mm
+    shafts = [touch for touch in touches.shafts if touch.grinder == name]
+    items = _touch_points(name, shafts, tip, len(grinder.touch_angles_rad))
+    if outcome is not None and name in outcome.wheels:
+        items += _wheel(name, outcome.wheels[name], grinder)
+    else:
+        items.append(drawing.frame(f"H {name}, by the drawing", grinder.base_from_tool, 60.0))
+    return items
 
 
 def use_of(touch: ConeTouch | ShaftTouch, planned: int) -> Use:
@@ -114,28 +144,28 @@ def _wheel(name: str, fit: WheelFit, plan: GrinderPlan) -> list[Item]:
     ]  # fmt: skip
 
 
-def _residuals(outcome: ToolOutcome) -> list[Item]:
+def _residuals(outcome: ToolOutcome, focus: str) -> list[Item]:
     starts, ways = [], []
-    for cone in outcome.touches.cone:
+    for cone in outcome.touches.cone if focus in (CONE, ALL) else ():
         starts.append(outcome.stylus.pivot_in_base_mm)
         ways.append(outcome.cone_misses_mm[cone.id])
     for shaft in outcome.touches.shafts:
-        if shaft.id in outcome.shaft_misses_mm:
+        if shaft.id in outcome.shaft_misses_mm and focus in (shaft.grinder, ALL):
             way = outcome.shaft_misses_mm[shaft.id]
             starts.append(tip_in_base(shaft, outcome.stylus) - way)
             ways.append(way)
+    if not ways:
+        return []
     away = np.array(ways)
     times = drawing.exaggeration(away, RESIDUAL_LENGTH_MM)
-    at = outcome.stylus.pivot_in_base_mm + np.array([0.0, 0.0, 1.5 * DIRECTIONS_MM])
+    at = starts[0] + np.array([0.0, 0.0, 1.5 * DIRECTIONS_MM])
     return [
         drawing.exaggerated("residuals", np.array(starts), away, times, Role.ATTENTION),
         drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"),
     ]
 
 
-def _suggested(advice: Advice | None, outcome: ToolOutcome, plan: CellPlan) -> list[Item]:
-    if advice is None:
-        return []
+def _suggested(advice: Advice, outcome: ToolOutcome, plan: CellPlan) -> list[Item]:
     if isinstance(advice, ConeAdvice):
         at = advice.base_from_flange[:3, 3]
         return [

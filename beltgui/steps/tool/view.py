@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from beltgui.steps.room import Bench
 from beltgui.steps.tool.advice import Advice, ConeAdvice, advise
 from beltgui.steps.tool.numbers import numbers
-from beltgui.steps.tool.pictures import plots, scene, use_of
+from beltgui.steps.tool.pictures import ALL, CONE, plots, scene, use_of
 from beltgui.steps.tool.step import ToolOutcome, headline
-from beltgui.steps.tool.touches import ConeTouch, Rest, ShaftTouch, Touches, Wanted, missing, read, wanted
+from beltgui.steps.tool.touches import ConeTouch, Missing, Rest, ShaftTouch, Touches, Wanted, missing, read, wanted
 from beltgui.steps.views.common import check_of, finite, in_deg, progress_text, reasons_of, with_worst_flagged
 from beltgui.steps.views.common import missing as missing_reason
 from beltgui.viewmodel.step import Check, Column, SampleRow, StepContent, Suggestion, Use
@@ -49,7 +49,7 @@ def content(bench: Bench, outcome: ToolOutcome | None, error: str) -> StepConten
         complete=not absent.count,
     )
     if outcome is None:
-        return replace(shown, headline=progress, scene=scene(bench.plan, touches, None, None))
+        return replace(shown, headline=progress, scene=scene(bench.plan, touches, None, None, focus(absent)))
     advice = _advice(outcome, bench.plan, touches, want)
     return replace(
         shown,
@@ -61,7 +61,7 @@ def content(bench: Bench, outcome: ToolOutcome | None, error: str) -> StepConten
         suggestion=None if advice is None else suggestion(advice),
         provisional=bool(absent.count),
         headline=headline(outcome),
-        scene=scene(bench.plan, touches, outcome, advice),
+        scene=scene(bench.plan, touches, outcome, advice, focus(absent)),
         plots=plots(outcome, bench.plan),
         extra={} if advice is None or advice.slot is not None else {"suggested": touch_values(advice)},
     )
@@ -75,6 +75,13 @@ def _advice(outcome: ToolOutcome, plan: CellPlan, touches: Touches, want: Wanted
         {slot: want.cone[slot] for slot in absent.cone},
         {name: {slot: want.shafts[name][slot] for slot in slots} for name, slots in absent.shafts.items()},
     )
+
+
+def focus(absent: Missing) -> str:
+    """What the picture shows: where the next touches are, and all of it once they are there."""
+    if absent.cone:
+        return CONE
+    return next((name for name, slots in absent.shafts.items() if slots), ALL)
 
 
 # ---- rows
