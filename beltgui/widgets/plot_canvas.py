@@ -15,7 +15,7 @@ from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px, theme
 from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Plot, Series
 from beltgui.viewmodel.scene import Role
-from beltgui.widgets.plot_items import NO_SAMPLE, colour_map, fill_item, make_item, sign
+from beltgui.widgets.plot_items import colour_map, fill_item, kind_of, make_item, sign
 
 
 class PlotCanvas(QWidget):
@@ -31,7 +31,7 @@ class PlotCanvas(QWidget):
         super().__init__(parent)
         self._plot: Plot | None = None
         self._items: list[Any] = []
-        self._kinds: list[type] = []
+        self._kinds: list[str] = []
         self._limits: list[Any] = []
         self._bar: Any = None
         self._chosen: int | None = None
@@ -64,7 +64,7 @@ class PlotCanvas(QWidget):
     def show_plot(self, plot: Plot) -> None:
         """Show a plot; a zoom that the person chose stays."""
         self._plot = plot
-        kinds = [type(series) for series in plot.series]
+        kinds = [kind_of(series) for series in plot.series]
         if kinds != self._kinds:
             self._make(plot)
         for item, series in zip(self._items, plot.series, strict=True):
@@ -100,11 +100,6 @@ class PlotCanvas(QWidget):
         if self._plot is not None:
             self.show_plot(self._plot)
 
-    def shut_down(self) -> None:
-        """Free what pyqtgraph holds; the canvas shows nothing any more."""
-        theme().changed.disconnect(self.rethemed)
-        self.graph.close()
-
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
         """Home shows all, plus and minus zoom."""
         steps = {Qt.Key.Key_Plus: 0.8, Qt.Key.Key_Minus: 1.25}
@@ -121,7 +116,7 @@ class PlotCanvas(QWidget):
             for part in (*getattr(item, "curves", ()), item) if isinstance(item, pg.FillBetweenItem) else (item,):
                 self.graph.removeItem(part)
         self._items = [make_item(series) for series in plot.series]
-        self._kinds = [type(series) for series in plot.series]
+        self._kinds = [kind_of(series) for series in plot.series]
         for item, series in zip(self._items, plot.series, strict=True):
             if isinstance(series, Band):
                 for curve in item.curves:
@@ -134,8 +129,8 @@ class PlotCanvas(QWidget):
             self.graph.addItem(item)
 
     def _clicked(self, item: Any, points: Any, event: Any) -> None:
-        if len(points) and points[0].data() != NO_SAMPLE:
-            self.chosen.emit(int(points[0].data()))
+        if len(points) and (sample_id := item.sample_id(points[0].index())) is not None:
+            self.chosen.emit(sample_id)
 
     def _draw_limits(self, plot: Plot) -> None:
         for line in self._limits:

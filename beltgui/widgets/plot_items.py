@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor
 from beltgui.app.theme import colour
 from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Series
 from beltgui.viewmodel.scene import Role, Scale
+from beltgui.widgets.plot_dots import DotsItem
 from beltgui.widgets.scene_draw_colours import TABLES
 
 # A role is told by shape too, not by colour alone: (pyqtgraph's symbol, sign in the legend).
@@ -26,12 +27,19 @@ SYMBOLS = {
     Role.PATH_COMPENSATED: ("t1", "▲"),
 }
 USUAL = ("o", "●")
-# Above this many marks they are drawn small and without outlines.
-MANY = 500
-# What a mark that stands for no sample carries (samples' ids may be negative).
-NO_SAMPLE = -(2**31)
-MARK_PX = 9
-SMALL_PX = 4
+# Above this many marks they are drawn small, above the larger number as dots.
+MANY, DOTS = 500, 2000
+MARK_PX, SMALL_PX = 9, 4
+
+
+class MarksItem(pg.ScatterPlotItem):
+    """Marks that know their samples; held here and not in each mark, which would be slow."""
+
+    sample_ids: np.ndarray | None = None
+
+    def sample_id(self, place: int) -> int | None:
+        """Of the mark at a place; None if marks stand for no samples."""
+        return None if self.sample_ids is None else int(self.sample_ids[place])
 
 
 def sign(series: Series) -> str:
@@ -43,10 +51,18 @@ def sign(series: Series) -> str:
     return "▆"
 
 
+def kind_of(series: Series) -> str:
+    """Series of the same kind can be shown in the same item."""
+    dots = isinstance(series, Marks) and len(series.x) > DOTS
+    return "dots" if dots else type(series).__name__
+
+
 def make_item(series: Series) -> Any:
     """An empty item for such a series."""
+    if kind_of(series) == "dots":
+        return DotsItem()
     if isinstance(series, Marks):
-        return pg.ScatterPlotItem(pxMode=True, hoverable=False)
+        return MarksItem(pxMode=True, hoverable=False)
     if isinstance(series, Curve):
         return pg.PlotCurveItem(connect="finite")
     if isinstance(series, Bars):
@@ -79,13 +95,19 @@ def fill_item(item: Any, series: Series) -> None:
 def _fill_marks(item: Any, series: Marks) -> None:
     x, y = _floats(series.x), _floats(series.y)
     good = np.isfinite(x) & np.isfinite(y)
-    ids = np.asarray(series.sample_ids, int) if len(series.sample_ids) == len(x) else np.full(len(x), NO_SAMPLE)
+    if len(series.sample_ids) == len(x):
+        item.sample_ids = np.asarray(series.sample_ids, dtype=int)[good]
+    else:
+        item.sample_ids = None
+    if isinstance(item, DotsItem):
+        item.show_dots(x[good], y[good], QColor(colour(series.role)))
+        return
     many = len(x) > MANY
     symbol = SYMBOLS.get(series.role, USUAL)[0]
     ink = QColor(colour(series.role))
     thin = symbol in ("x", "+")
     pen = pg.mkPen(ink, width=2) if thin and not many else None
-    item.setData(x=x[good], y=y[good], data=ids[good], symbol=symbol, size=SMALL_PX if many else MARK_PX,
+    item.setData(x=x[good], y=y[good], symbol=symbol, size=SMALL_PX if many else MARK_PX,
                  pen=pen, brush=pg.mkBrush(ink))  # fmt: skip
 
 

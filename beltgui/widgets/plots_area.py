@@ -23,7 +23,9 @@ class PlotsArea(QWidget):
         super().__init__(parent)
         self.setObjectName("plots")
         self._plots: dict[str, Plot] = {}
+        self._pages: dict[str, QWidget] = {}
         self._canvases: dict[str, PlotCanvas] = {}
+        self._free: list[PlotCanvas] = []
         self._waiting: set[str] = set()
         self._chosen: int | None = None
         self.tabs = QTabWidget(self)
@@ -64,7 +66,7 @@ class PlotsArea(QWidget):
             canvas.choose(sample_id)
 
     def canvas(self, key: str) -> PlotCanvas:
-        """The canvas of a plot."""
+        """The canvas of a plot that has been seen."""
         return self._canvases[key]
 
     def retranslate(self) -> None:
@@ -78,31 +80,52 @@ class PlotsArea(QWidget):
 
     def _arrange(self, keys: list[str]) -> None:
         current = self.tabs.currentWidget()
-        shown = next((key for key, canvas in self._canvases.items() if canvas is current), "")
+        shown = next((key for key, page in self._pages.items() if page is current), "")
         self.tabs.blockSignals(True)
         self.tabs.clear()
-        for key in [key for key in self._canvases if key not in keys]:
-            gone = self._canvases.pop(key)
-            gone.shut_down()
-            gone.deleteLater()
+        for key in [key for key in self._pages if key not in keys]:
+            if key in self._canvases:
+                self._put_aside(self._canvases.pop(key))
+            self._pages.pop(key).deleteLater()
         for key in keys:
-            if key not in self._canvases:
-                canvas = self._canvases[key] = PlotCanvas(self)
-                canvas.chosen.connect(self.chosen)
-            self.tabs.addTab(self._canvases[key], "")
+            if key not in self._pages:
+                page = self._pages[key] = QWidget(self)
+                QVBoxLayout(page).setContentsMargins(0, 0, 0, 0)
+            self.tabs.addTab(self._pages[key], "")
         if shown in keys:
             self.tabs.setCurrentIndex(keys.index(shown))
         self.tabs.blockSignals(False)
 
     def _show_current(self) -> None:
-        canvas = self.tabs.currentWidget()
-        for key, other in self._canvases.items():
-            if other is canvas and key in self._waiting:
-                self._waiting.discard(key)
-                other.show_plot(self._plots[key])
-                other.choose(self._chosen)
+        current = self.tabs.currentWidget()
+        key = next((key for key, page in self._pages.items() if page is current), "")
+        if key not in self._waiting:
+            return
+        self._waiting.discard(key)
+        canvas = self._canvases.get(key)
+        if canvas is None:
+            canvas = self._canvases[key] = self._take_canvas()
+            self._pages[key].layout().addWidget(canvas)
+            canvas.show()
+        canvas.show_plot(self._plots[key])
+        canvas.choose(self._chosen)
+
+    def _take_canvas(self) -> PlotCanvas:
+        """One that is free; making a new one takes the time of a frame or two."""
+        if self._free:
+            canvas = self._free.pop()
+            canvas.whole()
+            return canvas
+        canvas = PlotCanvas(self)
+        canvas.chosen.connect(self.chosen)
+        return canvas
+
+    def _put_aside(self, canvas: PlotCanvas) -> None:
+        canvas.hide()
+        canvas.setParent(self)
+        self._free.append(canvas)
 
     def _whole(self) -> None:
-        canvas = self.tabs.currentWidget()
-        if isinstance(canvas, PlotCanvas):
-            canvas.whole()
+        for key, page in self._pages.items():
+            if page is self.tabs.currentWidget() and key in self._canvases:
+                self._canvases[key].whole()

@@ -5,12 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pyqtgraph as pg
 import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
 from pytestqt.qtbot import QtBot
 
 from beltgui.app.theme import Theme, colour, theme
 from beltgui.viewmodel.plot import LimitLine, Map, Marks, Plot
 from beltgui.viewmodel.scene import Role, Scale
-from beltgui.widgets.plot_items import MANY
+from beltgui.widgets.plot_canvas import PlotCanvas
+from beltgui.widgets.plot_dots import DotsItem
+from beltgui.widgets.plot_items import MarksItem
 from beltgui.widgets.plots_area import PlotsArea
 from tests.beltgui.wizard_canned import plots, rows
 
@@ -27,10 +30,16 @@ def area(qtbot: QtBot) -> PlotsArea:
     return made
 
 
+def colours_of(canvas: PlotCanvas) -> set[str]:
+    """Colours in the picture of a plot."""
+    image = canvas.graph.grab().toImage()
+    return {image.pixelColor(x, y).name() for x in range(0, image.width(), 2) for y in range(0, image.height(), 2)}
+
+
 def test_every_kind_is_drawn_on_its_tab(area: PlotsArea) -> None:
     assert [area.tabs.tabText(k) for k in range(5)] == ["Residuals", "Section", "Histogram", "Faces", "Map"]
     kinds = {
-        "residuals": [pg.ScatterPlotItem] * 2,
+        "residuals": [MarksItem] * 2,
         "section": [pg.FillBetweenItem, pg.PlotCurveItem, pg.PlotCurveItem],
         "histogram": [pg.BarGraphItem],
         "faces": [pg.BarGraphItem],
@@ -46,7 +55,8 @@ def test_every_kind_is_drawn_on_its_tab(area: PlotsArea) -> None:
 
 def test_only_the_plot_that_is_seen_is_drawn(area: PlotsArea) -> None:
     assert area.canvas("residuals").plot is PLOTS[0]
-    assert area.canvas("map").plot is None
+    with pytest.raises(KeyError):
+        area.canvas("map")
 
 
 def test_axis_labels_keep_their_unit_without_prefixes(area: PlotsArea) -> None:
@@ -152,12 +162,31 @@ def test_nothing_known_is_drawn_as_nothing(area: PlotsArea) -> None:
     assert not area.grab().isNull()
 
 
-def test_many_marks_are_drawn_small(area: PlotsArea) -> None:
+def test_many_marks_are_drawn_as_dots(area: PlotsArea) -> None:
     x = np.linspace(0.0, 1.0, 20_000)
-    area.show_plots((replace(PLOTS[0], series=(Marks(x, np.sin(9 * x), Role.INLIER, "points"),)), *PLOTS[1:]))
-    item = area.canvas("residuals")._items[0]
-    assert len(item.points()) == 20_000 > MANY
-    assert item.opts["size"] < 6
+    for shift in (0.0, 1.0):
+        marks = Marks(x, np.sin(9 * x + shift), Role.INLIER, "points")
+        area.show_plots((replace(PLOTS[0], series=(marks,)), *PLOTS[1:]))
+    (item,) = area.canvas("residuals")._items
+    assert isinstance(item, DotsItem)
+    assert item.count() == 20_000
+    assert item.dataBounds(0) == (0.0, 1.0)
+    assert colour(Role.INLIER) in colours_of(area.canvas("residuals"))
+
+
+def test_a_click_on_a_dot_chooses_its_sample(qtbot: QtBot, area: PlotsArea) -> None:
+    x = np.arange(3000.0)
+    marks = Marks(x, np.zeros(3000), Role.INLIER, "points", tuple(range(10, 3010)))
+    area.show_plots((replace(PLOTS[0], series=(marks,), limits=()), *PLOTS[1:]))
+    canvas = area.canvas("residuals")
+    canvas.graph.setXRange(100.0, 104.0)
+    area.grab()
+    at = canvas.graph.mapFromScene(canvas.graph.getViewBox().mapViewToScene(QPointF(102.0, 0.0)))
+    with qtbot.waitSignal(area.chosen) as chosen:
+        qtbot.mouseClick(canvas.graph.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert chosen.args == [112]
+    with qtbot.assertNotEmitted(area.chosen):
+        qtbot.mouseClick(canvas.graph.viewport(), Qt.MouseButton.LeftButton, pos=at - QPoint(0, 40))
 
 
 def test_another_theme_draws_again(area: PlotsArea, monkeypatch: pytest.MonkeyPatch) -> None:
