@@ -13,6 +13,7 @@ import ast
 import re
 import subprocess
 import sys
+import tomllib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
 from pathlib import Path
@@ -24,8 +25,27 @@ SCREEN = ("beltgui/app", "beltgui/widgets", "beltgui/wizard")
 # Where sentences for the screen come from; what is only for files, the command line or other programs is left out.
 SPEAKING = ("core", "devices", "beltgui/steps", "beltgui/engine", "beltgui/session", "beltgui/files.py",
             "beltgui/commissioning.py", "beltgui/viewmodel")
-SILENT = ("beltgui/steps/blocks.py", "beltgui/session/schema.py", "core/path/urscript.py", "beltgui/steps/state.py")
-FEWEST_LETTERS = 3
+SILENT = ("beltgui/steps/blocks.py", "beltgui/session/schema.py", "core/path/urscript.py")
+CONTEXT = "sentence"
+FEWEST_LETTERS = 2
+# What is handed to these is a key, a format or an option, never speech.
+DEAF = {
+    "TypeVar", "_at", "_flag", "add_sample", "argsort", "compile", "convolve", "decode", "dtype", "encode",
+    "errstate", "float", "get", "get_context", "getattr", "hasattr", "index", "kept", "kron", "listens_for", "minimize",
+    "resource_path", "samples", "searchsorted", "setting", "split", "startswith", "strftime", "strptime",
+}  # fmt: skip
+# The first thing handed to these is the key by which plots, columns and parts of a scene are told apart.
+KEYED = {
+    "Arrow", "Column", "Frame", "Label", "Lines", "Mesh", "Plot", "Points", "arrows", "cylinder", "disc", "exaggerated",
+    "flange", "label", "robot_base", "scanner_volume", "segments", "sphere", "spheres", "triads",
+}  # fmt: skip
+OPTIONS = {"errors", "format", "indexing", "join_style", "method", "mode", "side", "view"}
+# Said by the operating system and handed on.
+SYSTEM = (
+    "Directory not empty", "File exists", "File name too long", "Input/output error", "Is a directory",
+    "No space left on device", "No such file or directory", "Not a directory", "Operation not permitted",
+    "Permission denied", "Read-only file system", "Too many open files",
+)  # fmt: skip
 
 
 def main() -> int:
@@ -46,6 +66,7 @@ def main() -> int:
 def report(text: str) -> int:
     """What is out of date or missing, in words."""
     problems = [f"untranslated: {source}" for source in unfinished()]
+    problems += [f"lupdate found no class that says: {source}" for source in homeless()]
     if not TEMPLATES.is_file() or TEMPLATES.read_text(encoding="utf-8") != text:
         problems.append(f"{TEMPLATES.name} is out of date: run tools/translations.py")
     print("\n".join(problems) or "every text is translated")
@@ -66,6 +87,13 @@ def unfinished() -> list[str]:
     return found
 
 
+def homeless() -> list[str]:
+    """Sources whose context is the name of a variable, so that nobody would find the translation."""
+    homes = f"[A-Z].*|{CONTEXT}"
+    lost = [one for one in ElementTree.parse(TS).iter("context") if not re.fullmatch(homes, one.findtext("name") or "")]
+    return [message.findtext("source") or "" for one in lost for message in one.iter("message")]
+
+
 def as_module(found: list[str]) -> str:
     """The templates as Python that lupdate reads."""
     lines = [f'    QT_TRANSLATE_NOOP("sentence", {quoted(text)}),' for text in found]
@@ -82,7 +110,9 @@ def quoted(text: str) -> str:
 
 def templates() -> list[str]:
     """All templates, sorted."""
-    found: set[str] = set()
+    found = set(SYSTEM)
+    for file in sorted((ROOT / "resources" / "blades").glob("*.toml")):
+        found.add(tomllib.loads(file.read_text(encoding="utf-8"))["blade"]["description"])
     for place in SPEAKING:
         path = ROOT / place
         for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:
@@ -142,13 +172,21 @@ def not_for_people(tree: ast.Module) -> set[int]:
             parts = [node.annotation]
         elif isinstance(node, ast.FunctionDef):
             parts = [node.returns]
-        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            if node.func.attr in {"get", "setting", "samples", "kept", "add_sample", "encode", "split", "strptime"}:
-                parts = list(node.args)
+        elif isinstance(node, ast.Call):
+            parts = keys_of(node)
         for part in parts:
             if part is not None:
                 found.update(id(inner) for inner in ast.walk(part))
     return found
+
+
+def keys_of(call: ast.Call) -> list[ast.AST | None]:
+    """What is handed to a call and is no speech."""
+    name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+    options: list[ast.AST | None] = [word.value for word in call.keywords if word.arg in OPTIONS]
+    if name in DEAF:
+        return [*call.args, *(word.value for word in call.keywords)]
+    return [*call.args[:1], *options] if name in KEYED else options
 
 
 def is_speech(text: str) -> bool:
@@ -156,10 +194,10 @@ def is_speech(text: str) -> bool:
     bare = re.sub(r"\{\d+\}", "", text)
     if sum(letter.isalpha() for letter in bare) < FEWEST_LETTERS:
         return False
-    if re.fullmatch(r"[a-z0-9_.\-/:{}*%]+", text) and not re.fullmatch(r"[a-z]+", text):
-        return False  # identifiers, file names, formats
-    if re.fullmatch(r"[A-Z0-9_]+|([A-Z][a-z0-9]+){2,}", text) or "->" in text:
-        return False  # codes, names of classes, sums of products
+    if re.fullmatch(r"[a-z0-9_.\-/:{}*%µ]+", text) and not re.fullmatch(r"[a-z]{3,}", text):
+        return False  # identifiers, file names, formats, units
+    if re.fullmatch(r"[A-Z0-9_]+|([A-Z][a-z0-9]+){2,}", text) or re.search(r"->|[\\^|]|%[A-Z]|^[<.]", text):
+        return False  # codes, names of classes, sums of products, patterns, formats
     return not re.search(r"\b(SELECT|INSERT|UPDATE|CREATE|PRAGMA|DELETE|BEGIN) ", text)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QUrl
+from PySide6.QtCore import QCoreApplication, Qt, QUrl
 from PySide6.QtGui import QColor, QDesktopServices, QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
@@ -165,40 +165,44 @@ class TextDialog(Beside):
 
 def keyboard_dialog(parent: QWidget) -> TextDialog:
     """All shortcuts."""
-    tr = parent.tr
+    translate = QCoreApplication.translate
     rows = (
-        ("Esc, F12", parent.tr("Stop every motion at once")),
-        ("Ctrl+1 … Ctrl+6", parent.tr("Look at a step")),
-        ("Ctrl+PgUp, Ctrl+PgDown", parent.tr("Step before, step after")),
-        ("Tab, Shift+Tab", parent.tr("Next, previous control")),
-        (parent.tr("Space"), parent.tr("Press a button, tick a sample; hold it on the motion button to keep moving")),
-        ("Ctrl+Enter", parent.tr("The next thing to do (the large coloured button)")),
-        ("Ctrl+Z, Ctrl+Shift+Z", parent.tr("Undo, redo an edit of the step's samples")),
-        (parent.tr("Delete"), parent.tr("Delete the chosen sample")),
-        ("Ctrl+N, Ctrl+O, Ctrl+Shift+O", parent.tr("New session, open, open read-only")),
-        ("Ctrl+E", parent.tr("Export robot programs and report")),
-        ("Ctrl++, Ctrl+-, Ctrl+0", parent.tr("Larger, smaller, usual text")),
-        ("F1", parent.tr("Help of the step")),
-        (parent.tr("Alt + underlined letter"), parent.tr("Menu or button")),
+        ("Esc, F12", translate("Keyboard", "Stop every motion at once")),
+        ("Ctrl+1 … Ctrl+6", translate("Keyboard", "Look at a step")),
+        ("Ctrl+PgUp, Ctrl+PgDown", translate("Keyboard", "Step before, step after")),
+        ("Tab, Shift+Tab", translate("Keyboard", "Next, previous control")),
+        (
+            translate("Keyboard", "Space"),
+            translate("Keyboard", "Press a button, tick a sample; hold it on the motion button to keep moving"),
+        ),
+        ("Ctrl+Enter", translate("Keyboard", "The next thing to do (the large coloured button)")),
+        ("Ctrl+Z, Ctrl+Shift+Z", translate("Keyboard", "Undo, redo an edit of the step's samples")),
+        (translate("Keyboard", "Delete"), translate("Keyboard", "Delete the chosen sample")),
+        ("Ctrl+N, Ctrl+O, Ctrl+Shift+O", translate("Keyboard", "New session, open, open read-only")),
+        ("Ctrl+E", translate("Keyboard", "Export robot programs and report")),
+        ("Ctrl++, Ctrl+-, Ctrl+0", translate("Keyboard", "Larger, smaller, usual text")),
+        ("F1", translate("Keyboard", "Help of the step")),
+        (translate("Keyboard", "Alt + underlined letter"), translate("Keyboard", "Menu or button")),
     )
     lines = "".join(f"<tr><td style='padding: 3px 14px 3px 0'><b>{keys}</b></td><td>{what}</td></tr>"
                     for keys, what in rows)  # fmt: skip
-    return TextDialog("keyboard_dialog", tr("Keyboard"), f"<table>{lines}</table>", parent)
+    return TextDialog("keyboard_dialog", translate("Keyboard", "Keyboard"), f"<table>{lines}</table>", parent)
 
 
 def about_dialog(parent: QWidget, engine: str) -> TextDialog:
     """Which version this is, and what it is not."""
-    tr = parent.tr
+    translate = QCoreApplication.translate
     paragraphs = (
         f"<b>beltcal {__version__}</b>",
-        tr("Commissions a robotic abrasive-belt grinding cell for turbine blades: six steps, each checked on data that "
-           "its fit has not seen."),
-        tr("Engine: {version}").format(version=engine or "–"),
-        "<b>" + tr("This program is not a safety function.") + "</b> "
-        + tr("It asks for motions and can ask for a stop. Whatever protects people is the cell's own: guards, enabling "
-             "switch, emergency stop."),
+        translate("About", "Commissions a robotic abrasive-belt grinding cell for turbine blades: six steps, each "
+                  "checked on data that its fit has not seen."),
+        translate("About", "Engine: {version}").format(version=engine or "–"),
+        "<b>" + translate("About", "This program is not a safety function.") + "</b> "
+        + translate("About", "It asks for motions and can ask for a stop. Whatever protects people is the cell's own: "
+                    "guards, enabling switch, emergency stop."),
     )  # fmt: skip
-    return TextDialog("about_dialog", tr("About beltcal"), "".join(f"<p>{text}</p>" for text in paragraphs), parent)
+    html = "".join(f"<p>{text}</p>" for text in paragraphs)
+    return TextDialog("about_dialog", translate("About", "About beltcal"), html, parent)
 
 
 def _number(value: float | None, unit: str, *, sign: bool = False) -> str:
