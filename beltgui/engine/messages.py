@@ -120,7 +120,10 @@ class Redo:
 
 @dataclass(frozen=True)
 class Choose:
-    """Set a step's setting: `faces` (fine), `pairs` and `method` (rough), `grinder`, `exaggeration` (error surface)."""
+    """Set a step's setting: `faces` (fine), `pairs` and `method` (rough), `grinder` (error surface).
+
+    Settings that begin with `show_` only change the picture.
+    """
 
     step: str
     key: str
@@ -153,7 +156,11 @@ class Answer:
 
 @dataclass(frozen=True)
 class Hold:
-    """The hold-to-run button is down or has been let go."""
+    """The hold-to-run button is down or has been let go.
+
+    An `Answer` with `hold` says that it is down. Repeated while it is held (several times a second), it also shows that
+    the screen is alive: once repeated, it counts as let go when nothing came for 0.6 s.
+    """
 
     down: bool
 

@@ -228,7 +228,7 @@ class Workplace:
 
         assert self._desk is not None
         self._change(command)
-        if isinstance(command, m.Choose) and command.key in SHOWN_ONLY:
+        if isinstance(command, m.Choose) and command.key.startswith(SHOWN_ONLY):
             self._desk.look_again(command.step)
         else:
             self._desk.solve(command.step, job)

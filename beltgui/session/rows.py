@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-SHOWN_ONLY = frozenset({"exaggeration"})
+# Settings whose names begin so change a picture and never a result.
+SHOWN_ONLY = "show_"
 _UNSET = object()
 
 
@@ -86,8 +87,9 @@ class Basis:
 
     def changed_settings(self, result: StoredResult) -> list[str]:
         """Settings that are not what they were for a result; those that only change a picture do not count."""
-        keys = (self.settings.keys() | result.settings.keys()) - SHOWN_ONLY
-        return sorted(key for key in keys if self.settings.get(key, _UNSET) != result.settings.get(key, _UNSET))
+        keys = self.settings.keys() | result.settings.keys()
+        real = (key for key in keys if not key.startswith(SHOWN_ONLY))
+        return sorted(key for key in real if self.settings.get(key, _UNSET) != result.settings.get(key, _UNSET))
 
     def fits(self, result: StoredResult) -> bool:
         """True if a result was solved from just this."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,10 @@ class Context:
     job: Job = field(default_factory=Job)
     speed_mm_s: float = MAX_SPEED_MM_S
     on_sample: SampleListener = _nobody
+
+    def part(self, start: float, end: float) -> Context:
+        """The same for a part of the work, from `start` to `end` (0 to 1) of it."""
+        return replace(self, job=self.job.part(start, end))
 
     def mover(self) -> RobotMover:
         """The robot, if it moves on request.

@@ -185,7 +185,7 @@ def test_undo_without_an_edit_is_refused(begun: Bed) -> None:
 def test_a_setting_of_the_picture_is_not_solved_again(begun: Bed) -> None:
     begun.accept("ball")
     solved = begun.rooms["ball"].solved
-    assert begun.driver.work(m.Choose("ball", "exaggeration", 50)).how == "done"
+    assert begun.driver.work(m.Choose("ball", "show_exaggeration", 50)).how == "done"
     assert begun.rooms["ball"].solved == solved
     assert begun.driver.views["ball"].state is StepState.ACCEPTED
 

@@ -239,7 +239,7 @@ def test_a_wheel_that_moved_is_named_by_its_grinder(finished: Session) -> None:
 
 
 def test_a_setting_voids_unless_it_only_changes_a_picture(finished: Session) -> None:
-    finished.choose("error_surface", "exaggeration", 300, PERSON)
+    finished.choose("error_surface", "show_exaggeration", 300, PERSON)
     assert export_lock(finished) == ()
     finished.choose("fine", "faces", [3, 4], PERSON)
     assert stale(finished) == ["fine", "error_surface"]

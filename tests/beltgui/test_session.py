@@ -179,7 +179,7 @@ def test_accepting_the_same_again_keeps_the_accepted_result(tmp_path: Path) -> N
 def test_settings_of_a_picture_do_not_void_a_result(tmp_path: Path) -> None:
     with Session.create(tmp_path, {}) as session:
         result = session.put_result("error_surface", {}, ok=True)
-        session.choose("error_surface", "exaggeration", 500, "Ada")
+        session.choose("error_surface", "show_exaggeration", 500, "Ada")
         assert session.basis("error_surface").fits(result)
         session.choose("error_surface", "grinder", "fine", "Ada")
         assert session.basis("error_surface").changed_settings(result) == ["grinder"]

@@ -99,20 +99,22 @@ def ready_to_present(bench: Bench, context: Context, grinder: str, why: str = ""
     if not why and clamping is not None and len(clamping.opening) == len(bench.plan.fine_step):
         clamped = _accepted_before(bench, clamping)
         if clamped is not None:
-            verdict = _looked_again(bench, context, clamped, RETURNED_LIMIT_MM)
+            verdict = _looked_again(bench, context.part(0.0, 0.0), clamped, RETURNED_LIMIT_MM)
             if verdict.ok:
                 return clamped
             why = f"The blade is not where it had been clamped: {verdict.reasons[0].message} {VOID}"
-    probing.clamp_and_scan(context, why)
+    probing.clamp_and_scan(context.part(0.0, 0.4), why)
     clamping = current_clamping(bench.session)
     assert clamping is not None
-    context.job.report(0.0, "registering the blade before it is presented to the wheel")
+    context.job.report(0.4, "registering the blade before it is presented to the wheel")
     try:
         clamped = registered(bench, clamping)
     except InputError as error:
         raise InputError(_not_presented(grinder, str(error)), error.code) from error
     # Two scans that see different faces say little about a blade that slips between them; two more do.
-    verdict = clamped.verdict if not clamped.verdict.ok else _looked_again(bench, context, clamped, fine.UNMOVED_MM)
+    verdict = clamped.verdict
+    if verdict.ok:
+        verdict = _looked_again(bench, context.part(0.5, 1.0), clamped, fine.UNMOVED_MM)
     if not verdict.ok:
         raise InputError(_not_presented(grinder, verdict.reasons[0].message), verdict.reasons[0].code)
     return clamped

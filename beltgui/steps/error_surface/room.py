@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from beltgui.jobs import Job
@@ -53,9 +52,9 @@ class ErrorSurfaceRoom:
             why = _finished(bench, context, series)
             if not why:
                 return
-        clamped = ready_to_present(bench, _part(context, 0.0, 0.08), grinder, why)
-        probing.acquire(_part(context, 0.08, 0.94), presenting_of(bench, clamped, grinder), grid)
-        probing.scan_at_the_end(_part(context, 0.94, 1.0))
+        clamped = ready_to_present(bench, context.part(0.0, 0.08), grinder, why)
+        probing.acquire(context.part(0.08, 0.94), presenting_of(bench, clamped, grinder), grid)
+        probing.scan_at_the_end(context.part(0.94, 1.0))
 
     def solve(self, bench: Bench, job: Job) -> ErrorSurfaceOutcome:
         """Fit the surface to the lines that are included, check it, and write the programs if all is accepted.
@@ -122,10 +121,6 @@ class ErrorSurfaceRoom:
         from beltgui.steps.error_surface.view import content
 
         return content(bench, outcome, error)
-
-
-def _part(context: Context, start: float, end: float) -> Context:
-    return replace(context, job=context.job.part(start, end))
 
 
 def _series(bench: Bench, grinder: str) -> Series | None:
