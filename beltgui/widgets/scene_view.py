@@ -43,12 +43,12 @@ class SceneView(QWidget):
 
     Signals:
         picked_point: (name of the item, (3,) mm in that scene's frame, True for the second scene).
-        picked_face: Id of the CAD face.
+        picked_face: (id of the CAD face, True for the second scene).
         picture_shown: A new picture is on the screen.
     """
 
     picked_point = Signal(str, object, bool)
-    picked_face = Signal(int)
+    picked_face = Signal(int, bool)
     picture_shown = Signal()
 
     def __init__(self, parent: QWidget | None = None, *, own_process: bool = True) -> None:
@@ -195,7 +195,7 @@ class SceneView(QWidget):
             return
         second = shown is self._second
         if self.canvas.pick_mode == "face" and hit.face_id is not None:
-            self.picked_face.emit(hit.face_id)
+            self.picked_face.emit(hit.face_id, second)
         elif self.canvas.pick_mode == "point":
             self.picked_point.emit(hit.item, hit.xyz, second)
 

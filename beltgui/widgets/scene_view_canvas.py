@@ -24,23 +24,25 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from beltgui.app.language import sentence
 from beltgui.app.theme import colour
-from beltgui.viewmodel.scene import Arrow, Frame, Item, Label, Lines, Mesh, Points, Role, Scene
+from beltgui.viewmodel.scene import Item, Role, Scene
 from beltgui.widgets.scene_draw import BACKGROUND, Request, ViewRequest, split
 from beltgui.widgets.scene_view_camera import ANGLE_RAD, DIRECTIONS, Camera
 from beltgui.widgets.scene_view_link import LocalDrawer, Picture, ProcessDrawer
+from beltgui.widgets.scene_view_outline import first_camera, outline_of
 from beltgui.widgets.scene_view_overlay import Overlay, Pin, bar_share, paint
 from beltgui.widgets.scene_view_pick import Hit, pick
 
 # Requests are held together for so long, so that several changes at once make one picture.
 GATHER_MS = 12
-# While the hand turns the scene, a picture that takes longer than this is drawn at half the density.
-SLOW_S = 0.045
-REST_MS = 180
+# While the hand turns the scene, and on a large screen while new scenes stream in, a picture that takes longer than
+# this is drawn at half the density; at rest it is sharp again.
+SLOW_S = 0.05
+REST_MS, STREAM_REST_MS = 180, 700
+MANY_PIXELS = 2_500_000
 HOVER_MS = 40
 TURN_RAD_PER_PX = 0.009
 KEY_TURN_RAD = np.deg2rad(10.0)
 ZOOM_STEP = 1.2
-OUTLINE_POINTS = 3000
 VIEW_KEYS = {
     Qt.Key.Key_F: "fit", Qt.Key.Key_1: "front", Qt.Key.Key_2: "side", Qt.Key.Key_3: "top", Qt.Key.Key_4: "oblique",
 }  # fmt: skip
@@ -84,6 +86,7 @@ class Canvas(QWidget):
         self.keep_free = QSizeF(0.0, 0.0)
         self.notice = ""
         self.seconds = 0.0
+        self._sharp_seconds = 0.0
         self._drawer: ProcessDrawer | LocalDrawer | None = None
         self._picture = QImage()
         self._pixels: NDArray[np.uint8] | None = None
@@ -91,6 +94,7 @@ class Canvas(QWidget):
         self._in_flight = False
         self._dirty = False
         self._interacting = False
+        self._sharp = True
         self._words: dict[str, str] = {}
         self._pressed: QPointF | None = None
         self._last = QPointF()
@@ -99,7 +103,7 @@ class Canvas(QWidget):
         self._hovered = QElapsedTimer()
         self._gather = QTimer(self, singleShot=True, interval=GATHER_MS)
         self._gather.timeout.connect(self._ask)
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._at_rest)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -140,6 +144,8 @@ class Canvas(QWidget):
         self.panes = panes
         for pane in panes:
             self._fit_if_untouched(pane)
+        if self.width() * self.height() * self.devicePixelRatioF() ** 2 > MANY_PIXELS:
+            self._busy(STREAM_REST_MS)
         self.redraw()
 
     def look(self, direction: str) -> None:
@@ -201,7 +207,8 @@ class Canvas(QWidget):
         if self._drawer is None or self._in_flight or not self.panes or not self.isVisible():
             return
         ratio = self.devicePixelRatioF()
-        if self._interacting and self.seconds > SLOW_S:
+        self._sharp = not (self._interacting and self._sharp_seconds > SLOW_S)
+        if not self._sharp:
             ratio *= 0.5
         width, height = max(round(self.width() * ratio), 16), max(round(self.height() * ratio), 16)
         views = []
@@ -229,6 +236,8 @@ class Canvas(QWidget):
         self._pixels = picture.pixels  # the image reads from it
         self._picture = QImage(picture.pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
         self.seconds = picture.seconds
+        if self._sharp:
+            self._sharp_seconds = picture.seconds
         for pane, camera in self._asked:
             pane.drawn_with = camera
         self.update()
@@ -238,7 +247,8 @@ class Canvas(QWidget):
 
     def _at_rest(self) -> None:
         self._interacting = False
-        self.redraw()
+        if not self._sharp:
+            self.redraw()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802  (Qt's name)
         """The picture, and what is written over it."""
@@ -384,9 +394,12 @@ class Canvas(QWidget):
 
     def _touched(self, pane: Pane) -> None:
         pane.untouched = False
-        self._interacting = True
-        self._rest.start()
+        self._busy(REST_MS)
         self.redraw()
+
+    def _busy(self, rest_ms: int) -> None:
+        self._interacting = True
+        self._rest.start(rest_ms)
 
     def _hover(self, at: QPointF | None) -> None:
         if self.pick_mode == "none" or not self.panes:
@@ -415,41 +428,3 @@ class Canvas(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self.forget_words()
         super().changeEvent(event)
-
-
-def first_camera(scene: Scene) -> Camera:
-    """Obliquely, unless the last word of the scene's view is a direction, e.g. `base top`."""
-    last = scene.view.split()[-1:] or [""]
-    return Camera.looking(last[0] if last[0] in DIRECTIONS else "oblique")
-
-
-def outline_of(items: tuple[Item, ...]) -> NDArray[np.float64]:
-    """(N, 3) points that tell where the items are; few of each, finite."""
-    found: list[NDArray[np.floating]] = []
-    for item in items:
-        if isinstance(item, Points):
-            found.append(_few(item.xyz))
-        elif isinstance(item, Mesh):
-            found.append(_few(item.vertices))
-        elif isinstance(item, Lines):
-            found.extend(_few(line) for line in item.polylines)
-        elif isinstance(item, Arrow):
-            found.append(np.stack([item.start, np.asarray(item.start) + item.vector]))
-        elif isinstance(item, Frame):
-            pose = np.asarray(item.scene_from_frame)
-            found.append(np.vstack([pose[:3, 3], pose[:3, 3] + item.length_mm * pose[:3, :3].T]))
-        elif isinstance(item, Label):
-            found.append(np.asarray(item.at).reshape(1, 3))
-    if not found:
-        return np.zeros((0, 3))
-    outline = np.concatenate([np.asarray(points, dtype=float).reshape(-1, 3) for points in found])
-    return outline[np.isfinite(outline).all(axis=1)]
-
-
-def _few(points: NDArray[np.floating]) -> NDArray[np.floating]:
-    """At most about `OUTLINE_POINTS`, with the outermost along each axis among them."""
-    points = np.asarray(points).reshape(-1, 3)
-    if len(points) <= OUTLINE_POINTS:
-        return points
-    ends = np.concatenate([np.nanargmin(points, axis=0), np.nanargmax(points, axis=0)])
-    return np.vstack([points[:: len(points) // OUTLINE_POINTS + 1], points[ends]])

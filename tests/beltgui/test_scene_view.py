@@ -251,7 +251,7 @@ def test_a_drag_and_a_click_into_the_void_pick_nothing(qtbot: QtBot, open_view: 
     shown(qtbot, view, scene(plate(), grid()))
     picked: list[Any] = []
     view.picked_point.connect(lambda *args: picked.append(args))
-    view.picked_face.connect(picked.append)
+    view.picked_face.connect(lambda *args: picked.append(args))
     qtbot.mouseClick(view.canvas, LEFT, pos=where(view, (0, 0, 0)))  # the mode is `none`
     for mode in ("point", "face"):
         view.set_pick_mode(mode)
@@ -270,7 +270,7 @@ def test_a_click_picks_the_face_and_the_pointer_marks_it(qtbot: QtBot, open_view
     for x, face in ((-20.0, 7), (20.0, 9)):
         with qtbot.waitSignal(view.picked_face, timeout=WAIT_MS) as caught:
             qtbot.mouseClick(view.canvas, LEFT, pos=where(view, (x, 5, 0)))
-        assert caught.args == [face]
+        assert caught.args == [face, False]
     at = where(view, (20, 5, 0))
     view.canvas._hovered.invalidate()
     with qtbot.waitSignal(view.picture_shown, timeout=WAIT_MS):
