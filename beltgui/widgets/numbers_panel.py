@@ -132,7 +132,6 @@ class NumbersPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("numbers")
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._numbers: tuple[Number, ...] = ()
         self._kinds: list[tuple[bool, bool]] = []
         self.rows: list[NumberRow] = []

@@ -140,7 +140,7 @@ class PlotCanvas(QWidget):
             pen = pg.mkPen(colour(Role.ATTENTION), width=2, style=Qt.PenStyle.DashLine)
             line = pg.InfiniteLine(
                 limit.y, angle=0, pen=pen, label=sentence(limit.name).replace("{", "(").replace("}", ")"),
-                labelOpts={"position": 0.98, "color": colour(Role.ATTENTION), "anchors": [(1, 1), (1, 0)]},
+                labelOpts={"position": 0.98, "color": colour(Role.ATTENTION), "anchors": [(1, 0), (1, 1)]},
             )  # fmt: skip
             line.label.setFont(self._font())
             line.setZValue(30)
@@ -173,7 +173,6 @@ class PlotCanvas(QWidget):
     def _draw_words(self, plot: Plot) -> None:
         style = {"color": colour("text"), "font-size": f"{px(12)}px"}
         self.graph.setLabel("bottom", html.escape(sentence(plot.x_label)), **style)
-        self.graph.setLabel("left", html.escape(sentence(plot.y_label)), **style)
         labels = [series.labels for series in plot.series if isinstance(series, Bars) and series.labels]
         ticks = None
         if labels:
@@ -181,8 +180,10 @@ class PlotCanvas(QWidget):
             ticks = [[(float(x), sentence(word)) for x, word in zip(first.x, first.labels, strict=False)]]
         self.graph.getAxis("bottom").setTicks(ticks)
         named = [series for series in plot.series if not isinstance(series, Map) and series.name]
-        self.legend.setText("&nbsp;&nbsp; ".join(_legend(series) for series in named))
-        self.legend.setVisible(bool(named))
+        # Written level: upright, a long label would be cut off in a low plot.
+        words = [f"<b>↑ {html.escape(sentence(plot.y_label))}</b>" if plot.y_label else ""]
+        words += [_legend(series) for series in named]
+        self.legend.setText("&nbsp;&nbsp; ".join(word for word in words if word))
         self.setAccessibleName(sentence(plot.title))
 
     def _style(self) -> None:

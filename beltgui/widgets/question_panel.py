@@ -83,7 +83,7 @@ class QuestionPanel(QFrame):
         self.hold_button.setToolTip(self.tr("The robot moves only while you hold this button or the Space key"))
         self.series.setText(self.tr("the whole series of this step"))
         self.series.setToolTip(self.tr("Do not ask again for the following motions of this step"))
-        self.stop_hint.setText(self.tr("Stop: top right, or Esc. It is no safety function."))
+        self.stop_hint.setText(self.tr("Stop: top right, or F12. It is no safety function."))
         for widget in (self.done_button, self.not_now_button, self.move_button, self.hold_button, self.series):
             widget.setAccessibleName(widget.text().replace("&", ""))
         if self._question is not None:

@@ -116,6 +116,7 @@ class SamplesTable(QWidget):
             self._sorted = None
             self.view.horizontalHeader().setSortIndicatorShown(False)
             self._fit_columns()
+        self._widen_columns()
         if had is not None and self.chosen_id() != had:
             self.choose(had)
         if grows and had is None and not self.flagged_only.isChecked():
@@ -227,6 +228,13 @@ class SamplesTable(QWidget):
         self.view.resizeColumnsToContents()
         for column in range(self.model.columnCount()):
             self.view.setColumnWidth(column, min(self.view.columnWidth(column), px(WIDEST_PX)))
+
+    def _widen_columns(self) -> None:
+        """A longer text has come; columns never become narrower by themselves."""
+        for column in range(self.model.columnCount() - 1):
+            wanted = min(self.view.sizeHintForColumn(column) + 2, px(WIDEST_PX))
+            if wanted > self.view.columnWidth(column):
+                self.view.setColumnWidth(column, wanted)
 
     def _set_buttons(self) -> None:
         self.undo_button.setEnabled(self._undo and self._editable)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
 from beltgui.viewmodel.step import Suggestion
@@ -25,7 +25,6 @@ class SuggestionBox(QFrame):
         for label in (self._title, self._text, self._gain):
             label.setWordWrap(True)
             layout.addWidget(label)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.retranslate()
 
     def show_suggestion(self, suggestion: Suggestion | None) -> None:

@@ -156,7 +156,7 @@ class SidePanel(QWidget):
         inside.setContentsMargins(0, 2, 6, 2)
         inside.setSpacing(8)
         widgets = (
-            self.picture, self.instruction, self.live, *self.panels.values(), self.suggestion, self.numbers,
+            self.picture, self.instruction, self.live, self.suggestion, *self.panels.values(), self.numbers,
             self.checks,
         )  # fmt: skip
         for widget in widgets:
