@@ -8,19 +8,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from beltgui.commissioning import RETURNED_LIMIT_MM, Commissioner, Commissioning
-from beltgui.steps.base import step as base
+from beltgui.commissioning import Commissioner, Commissioning
+from beltgui.jobs import Job
+from beltgui.steps.base.room import BaseRoom
 from beltgui.steps.error_surface import probing
 from beltgui.steps.error_surface import step as error_surface
 from beltgui.steps.error_surface.probing import Presenting
 from beltgui.steps.fine import step as fine
+from beltgui.steps.room import Room
 from beltgui.steps.scans import acquire_scans
-from beltgui.steps.sources import LiveSource
 from beltgui.steps.state import StepEvent, StepState
-from beltgui.steps.tool import step as tool
+from beltgui.steps.tool.room import ToolRoom
 from core.path import CellFrames
 from core.verdict import Code, Verdict
 from devices.interfaces import Lost, Mount, Refused, StagePosition, Stale
+from tests.beltgui.cell_bench import bench_of, with_stage
 from tests.beltgui.live import Live, blade_and_model
 
 GRINDER = "fine"
@@ -53,21 +55,21 @@ def at(number: int, fault: Callable[[], None]) -> Callable[[int], None]:
 # ---- one step with a fault in the middle
 
 
-@pytest.mark.parametrize("by_mm", [0.2, 2.0])
-def test_a_ball_that_moved_between_two_scans_rejects_the_base(live: Live, by_mm: float) -> None:
+def acquire(room: Room, live: Live) -> None:
+    room.acquire(bench_of(live, ball=with_stage(live)), live.context)
+
+
+def test_a_ball_that_moved_between_two_scans_rejects_the_base(live: Live) -> None:
+    by_mm = 2.0
     live.hook("scanner", "capture", at(7, lambda: live.sim.world.faults.move_ball((0.0, by_mm, 0.0))))
-    samples = base.acquire(live.context)
-    outcome = base.solve(samples, live.sim.plan.ball.diameter_mm, live.stage_fit())
+    bench = bench_of(live, ball=with_stage(live))
+    BaseRoom().acquire(bench, live.context)
+    outcome = BaseRoom().solve(bench, Job())
     assert outcome.verdict.reasons[0].code is Code.HELD_OUT_ERROR
     assert "has moved meanwhile" in outcome.verdict.reasons[0].message
     assert outcome.returned_mm == pytest.approx(by_mm, abs=0.1)
-    assert kept(live, "base", "scan") == len(live.sim.plan.base_step) + 1
-
-
-def test_a_ball_that_stays_is_seen_where_it_was(live: Live) -> None:
-    outcome = base.solve(base.acquire(live.context), live.sim.plan.ball.diameter_mm, live.stage_fit())
-    assert outcome.verdict.reasons == ()
-    assert outcome.returned_mm < 0.06
+    assert kept(live, "base", "scan") == len(live.sim.plan.base_step)
+    assert kept(live, "base", "closing_scan") == 1
 
 
 @pytest.fixture
@@ -103,24 +105,6 @@ def test_a_blade_that_slipped_between_two_scans_is_rejected(
     assert outcome.moved_mm == pytest.approx(np.linalg.norm(shift), rel=0.25)
 
 
-def test_a_blade_that_slipped_while_it_was_probed_is_seen_by_the_closing_scans(live: Live) -> None:
-    blade, model = blade_and_model()
-    first_samples = probing.clamp_and_scan(live.context)
-    start = live.sim.truth.measure_from_work
-    first = fine.solve(first_samples, live.stage_fit(), live.base_fit(), model, blade, start)
-    live.sim.world.faults.slip_blade((0.0, 0.0, 0.3), np.zeros(3))
-    live.context.move(live.sim.plan.base_step[0].base_from_flange, "away and back")
-    found = first.fit.measure_from_work
-    last = fine.solve(
-        probing.scan_at_the_end(live.context), live.stage_fit(), live.base_fit(), model, blade, found,
-        unmoved_since=found, unmoved_mm=RETURNED_LIMIT_MM,
-    )  # fmt: skip
-    assert first.verdict.reasons == ()
-    assert last.moved_mm == pytest.approx(0.3, abs=0.1)
-    assert [reason.code for reason in last.verdict.reasons] == [Code.HELD_OUT_ERROR]
-    assert kept(live, "error_surface", "closing_scan") == 2
-
-
 @dataclass
 class Probed:
     outcome: error_surface.ErrorSurfaceOutcome
@@ -135,7 +119,9 @@ def probe(live: Live) -> Callable[..., Probed]:
         between: Callable[[], None] = lambda: None, while_probing: Callable[[int], None] | None = None
     ) -> Probed:
         blade, model = blade_and_model()
-        found = tool.solve(tool.acquire(live.context), live.sim.plan.grinders)
+        bench = bench_of(live)
+        ToolRoom().acquire(bench, live.context)
+        found = ToolRoom().solve(bench, Job())
         assert found.verdict.reasons == ()
         probing.clamp_and_scan(live.context)
         between()
@@ -201,7 +187,7 @@ def test_a_blade_that_slips_while_it_is_probed_is_rejected(live: Live, probe: Ca
 def test_a_device_lost_midway_ends_the_step_and_keeps_the_scans(live: Live, device: str, scans: int) -> None:
     live.hook("scanner", "capture", at(3, lambda: live.sim.world.faults.lose(device)))
     with pytest.raises(Lost, match=f"{device}: the connection is gone. Check its cable and power"):
-        base.acquire(live.context)
+        acquire(BaseRoom(), live)
     assert kept(live, "base", "scan") == scans
     assert len(live.session.points(live.session.samples("base", "scan")[-1])) > 1000
 
@@ -209,14 +195,14 @@ def test_a_device_lost_midway_ends_the_step_and_keeps_the_scans(live: Live, devi
 def test_a_stalled_robot_is_noticed_before_the_next_scan_is_kept(live: Live) -> None:
     live.hook("scanner", "capture", at(2, lambda: live.sim.world.faults.stall("robot")))
     with pytest.raises(Stale, match="its values stand still"):
-        base.acquire(live.context)
+        acquire(BaseRoom(), live)
     assert kept(live, "base", "scan") == 2
 
 
 def test_a_grinder_lost_among_the_touches_keeps_those_before(live: Live) -> None:
     live.hook_grinder("rough", at(7, lambda: live.sim.world.faults.lose("grinder rough")))
     with pytest.raises(Lost, match="grinder rough: the connection is gone"):
-        tool.acquire(live.context)
+        acquire(ToolRoom(), live)
     assert kept(live, "tool", "cone_touch") == len(live.sim.plan.stylus.touches)
     assert kept(live, "tool", "shaft_touch") == 2  # after five readings at the stop
 
@@ -249,7 +235,7 @@ def test_nothing_moves_without_consent(tmp_path: Path) -> None:
     with Live.start(tmp_path / "session", consent=refuse) as live:
         before = live.sim.cell.robot.read()
         with pytest.raises(Refused, match=r"the motion was not wanted: to the scanning pose .* Nothing has moved"):
-            base.acquire(live.context)
+            acquire(BaseRoom(), live)
         after = live.sim.cell.robot.read()
         np.testing.assert_array_equal(before.base_from_flange, after.base_from_flange)
         assert len(asked) == 1 and kept(live, "base", "scan") == 0
@@ -268,7 +254,7 @@ def test_probing_is_asked_for_once_and_as_a_whole(live: Live) -> None:
     plan = live.sim.plan.grinders[GRINDER]
     frames = CellFrames(plan.base_from_tool, live.sim.plan.flange_from_work, plan.wheel_radius_mm, plan.contact_side)
     presenting = Presenting(model.spline_surface(blade.airfoil), frames, GRINDER)
-    with pytest.raises(Refused, match="to probe 5160 points of the airfoil on grinder fine"):
+    with pytest.raises(Refused, match="to probe 5196 points of the airfoil on grinder fine"):
         probing.acquire(replace(live.context, consent=refuse), presenting, blade.probing)
     np.testing.assert_array_equal(before.base_from_flange, live.sim.cell.robot.read().base_from_flange)
     assert len(asked) == 1
@@ -278,14 +264,15 @@ def test_probing_is_asked_for_once_and_as_a_whole(live: Live) -> None:
 
 
 def commission(live: Live, events: list[StepEvent]) -> Commissioning:
-    blade, model = blade_and_model()
-    found = Commissioning()
-    Commissioner(
-        source=LiveSource(live.context), plan=live.sim.plan, blade=blade, model=model, grinder=GRINDER,
-        date="2026-01-01", job=live.context.job, on_step=events.append,
-        keep=lambda step, record, ok: live.session.put_result(step, record, accepted=ok),
-    ).run(found)  # fmt: skip
-    return found
+    bench = bench_of(live)
+
+    def keep(step: str, record: Any, headline: str, ok: bool) -> None:
+        live.session.put_result(step, record, ok=ok, headline=headline)
+
+    def take(room: Room, job: Job) -> None:
+        room.acquire(bench, live.with_job(job))
+
+    return Commissioner(bench, take, live.context.job, keep, events.append).run()
 
 
 def test_an_operator_who_refuses_ends_the_run_with_his_sentence(live: Live) -> None:
@@ -313,5 +300,5 @@ def test_a_rejected_step_is_kept_and_ends_the_run(live: Live) -> None:
     assert events[-1].headline == found.verdicts["ball"].reasons[0].message
     assert "fasten both, scan again" in said(found.verdicts["ball"])
     result = live.session.result("ball")
-    assert result is not None and not result.accepted
-    assert kept(live, "ball", "scan") == len(live.sim.plan.stage_step) + 1 and kept(live, "base", "scan") == 0
+    assert result is not None and not result.ok
+    assert kept(live, "ball", "scan") == len(live.sim.plan.stage_step) and kept(live, "base", "scan") == 0
