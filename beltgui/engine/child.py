@@ -32,6 +32,7 @@ def run_engine(connection: Connection, last_words: str) -> None:
         faulthandler.enable(file)
         ended = _serve(connection)
         faulthandler.disable()
+    os.unlink(last_words)  # nothing to say; the parent may not live to tidy up
     if not ended:
         os._exit(1)  # a thread is deep inside a library; everything that was kept is on disk
 
@@ -52,7 +53,7 @@ def _serve(connection: Connection) -> bool:
     )
     handler = _ToScreen(crashed)
     logging.getLogger().addHandler(handler)
-    engine = Engine(outbox.put)
+    engine = Engine(outbox.put, warm_up=True)
     try:
         while True:
             try:

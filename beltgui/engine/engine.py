@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import threading
 import traceback
 from collections import deque
@@ -22,6 +23,9 @@ from beltgui.steps.state import STEPS
 Emit = Callable[[m.Event], None]
 EDITS = (m.Include, m.Delete, m.StartOver, m.Undo, m.Redo, m.Choose)
 JOIN_S = 5.0
+WARM = "warm"
+# What takes long to import, in portions of about a second.
+HEAVY = ("beltgui.session.database", "devices.sim", "OCP.STEPControl", "open3d", "beltgui.steps.rooms")
 
 
 class Engine:
@@ -36,6 +40,7 @@ class Engine:
         build_host: Makes the cell of a session; None takes the simulation.
         read_model: Reads the CAD model; None takes the real reader.
         export: Writes programs and report; None takes the error surface's.
+        warm_up: Import what a session needs before the first one is asked for; a command does not wait for all of it.
 
     Example:
         >>> engine = Engine(events.put)
@@ -51,6 +56,7 @@ class Engine:
         build_host: BuildHost | None = None,
         read_model: ReadModel | None = None,
         export: Export | None = None,
+        warm_up: bool = False,
     ) -> None:
         self._emit = emit
         self._changed = threading.Condition()
@@ -66,6 +72,8 @@ class Engine:
         self._worker = threading.Thread(target=self._work, name="engine work", daemon=True)
         self._worker.start()
         emit(m.Ready(__version__))
+        for module in HEAVY if warm_up else ():
+            self._submit(Task("Warming up", "", lambda job, module=module: _import(module), WARM, quiet=True))
 
     def handle(self, command: m.Command) -> None:
         """Carry out a command, or begin to; comes back at once."""
@@ -122,6 +130,8 @@ class Engine:
     def _submit(self, task: Task) -> None:
         with self._changed:
             others = [*([self._current] if self._current else []), *self._queue]
+            if task.kind != WARM:
+                self._queue = deque(other for other in self._queue if other.kind != WARM)
             others = [other for other in others if not other.quiet]  # those are over before anybody notices
             in_the_way = [other for other in others if not _makes_way(other, task)]
             if not (in_the_way or self._closing):
@@ -190,6 +200,10 @@ class Engine:
     def _finished(self) -> None:
         with self._changed:
             self._current = None
+
+
+def _import(module: str) -> None:
+    importlib.import_module(module)
 
 
 def _makes_way(under_way: Task, task: Task) -> bool:

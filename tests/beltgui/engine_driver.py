@@ -6,7 +6,18 @@ from collections.abc import Callable
 from typing import Any, Self
 
 from beltgui.engine.engine import Engine
-from beltgui.engine.messages import Answer, Command, Crashed, Event, JobEnded, JobStarted, Question, Ready, StepChanged
+from beltgui.engine.messages import (
+    Answer,
+    CellMoved,
+    Command,
+    Crashed,
+    Event,
+    JobEnded,
+    JobStarted,
+    Question,
+    Ready,
+    StepChanged,
+)
 from beltgui.engine.process import EngineHandle, start_engine
 from beltgui.viewmodel.step import StepView
 
@@ -63,7 +74,7 @@ class Driver:
                     assert not (isinstance(event, JobEnded) and event.how == "crashed"), event.message
                 left = until - time.monotonic()
                 if left <= 0 or self.end:
-                    raise TimeoutError(f"no such event; {self.end} the last ones: {self.events[-8:]}")
+                    raise TimeoutError(self._late())
                 self._changed.wait(left)
 
     def somewhere(self, wanted: Predicate, timeout_s: float = 60.0) -> Any:
@@ -76,7 +87,7 @@ class Driver:
                 return bool(found)
 
             if not self._changed.wait_for(there, timeout_s):
-                raise TimeoutError(f"no such event; {self.end} the last ones: {self.events[-8:]}")
+                raise TimeoutError(self._late())
             return found[0]
 
     def work(self, command: Command, timeout_s: float = 60.0) -> JobEnded:
@@ -92,7 +103,7 @@ class Driver:
             while not (step in self.views and wanted(self.views[step])):
                 left = until - time.monotonic()
                 if left <= 0 or self.end:
-                    raise TimeoutError(f"{step} is {self.views.get(step)} {self.end}")
+                    raise TimeoutError(f"{step}: {self._late()}")
                 self._changed.wait(left)
             return self.views[step]
 
@@ -106,6 +117,11 @@ class Driver:
             assert self.engine.close(20.0), "a thread of the engine has not ended"
         elif self.handle is not None:
             self.handle.close()
+
+    def _late(self) -> str:
+        """What came last, in short: views hold pictures."""
+        last = [type(e).__name__ if isinstance(e, StepChanged | CellMoved) else str(e)[:300] for e in self.events[-12:]]
+        return f"no such event. {self.end} The last ones: {last}"
 
     def _take(self, event: Event) -> None:
         with self._changed:
