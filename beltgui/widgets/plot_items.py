@@ -81,8 +81,10 @@ def fill_item(item: Any, series: Series) -> None:
         style = Qt.PenStyle.DashLine if series.dashed else Qt.PenStyle.SolidLine
         item.setData(_floats(series.x), _floats(series.y), pen=pg.mkPen(colour(series.role), width=2, style=style))
     elif isinstance(series, Bars):
-        item.setOpts(x=_floats(series.x), height=np.nan_to_num(_floats(series.height)), width=series.width,
-                     brush=_pale(series.role, 170), pen=pg.mkPen(colour(series.role)))  # fmt: skip
+        item.setOpts(
+            x=_floats(series.x), height=np.nan_to_num(_floats(series.height)), width=series.width * _spacing(series),
+            brush=_pale(series.role, 170), pen=pg.mkPen(colour(series.role)),
+        )  # fmt: skip
     elif isinstance(series, Band):
         good = np.isfinite(series.low) & np.isfinite(series.high) & np.isfinite(series.x)
         item.curves[0].setData(_floats(series.x)[good], _floats(series.low)[good])
@@ -109,6 +111,12 @@ def _fill_marks(item: Any, series: Marks) -> None:
     pen = pg.mkPen(ink, width=2) if thin and not many else None
     item.setData(x=x[good], y=y[good], symbol=symbol, size=SMALL_PX if many else MARK_PX,
                  pen=pen, brush=pg.mkBrush(ink))  # fmt: skip
+
+
+def _spacing(series: Bars) -> float:
+    """Distance between bars, of which `width` is a share; bars with words stand 1 apart."""
+    places = np.unique(_floats(series.x))
+    return 1.0 if series.labels or len(places) < 2 else float(np.median(np.diff(places)))
 
 
 def _fill_map(item: Any, series: Map) -> None:

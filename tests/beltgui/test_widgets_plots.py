@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from pytestqt.qtbot import QtBot
 
 from beltgui.app.theme import Theme, colour, theme
-from beltgui.viewmodel.plot import LimitLine, Map, Marks, Plot
+from beltgui.viewmodel.plot import Bars, LimitLine, Map, Marks, Plot
 from beltgui.viewmodel.scene import Role, Scale
 from beltgui.widgets.plot_canvas import PlotCanvas
 from beltgui.widgets.plot_dots import DotsItem
@@ -151,6 +151,14 @@ def test_bars_have_words_for_ticks_and_a_map_has_its_bar(area: PlotsArea) -> Non
     assert "error, µm" in canvas._bar.axis.label.toPlainText()
     area.show_plots((*PLOTS[:4], replace(PLOTS[0], key="map", title="Map")))
     assert canvas._bar is None
+
+
+def test_the_bars_of_a_histogram_touch(area: PlotsArea) -> None:
+    x = np.arange(5.0) * 20.0
+    bars = Bars(x, np.ones(5), Role.INLIER, "points", width=1.0)
+    words = Bars(np.array([0.0, 2.0]), np.ones(2), Role.INLIER, "faces", ("a", "c"), 0.25)
+    area.show_plots((Plot("residuals", "H", "x, µm", "points", (bars, words)),))
+    assert [item.opts["width"] for item in area.canvas("residuals")._items] == [20.0, 0.25]
 
 
 def test_nothing_known_is_drawn_as_nothing(area: PlotsArea) -> None:

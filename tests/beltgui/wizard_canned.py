@@ -100,7 +100,7 @@ def plots(samples: tuple[SampleRow, ...]) -> tuple[Plot, ...]:
             Curve(70 * u, wave + 20, Role.PATH, "nominal", dashed=True),
         )),
         Plot("histogram", "Histogram", "residual, µm", "samples", (
-            Bars((edges[1:] + edges[:-1]) / 2, counts.astype(float), Role.INLIER, "samples", width=edges[1] - edges[0]),
+            Bars((edges[1:] + edges[:-1]) / 2, counts.astype(float), Role.INLIER, "samples", width=1.0),
         )),
         Plot("faces", "Faces", "face", "RMS, µm", (
             Bars(np.arange(3.0), np.array([12.0, 15.0, 9.0]), Role.INLIER, "faces", ("pressure", "suction", "root")),
