@@ -12,7 +12,7 @@ from beltgui.jobs import Cancelled, Job
 from beltgui.session import Basis, Sample
 from beltgui.steps import graph
 from beltgui.steps.blocks import plain
-from beltgui.steps.room import Bench, Outcome, Room
+from beltgui.steps.room import Bench, Outcome, Remembering, Room
 from beltgui.steps.state import STEPS, TITLES, StepState
 from beltgui.viewmodel.step import Action, ReasonView, StepContent, StepView
 from core.errors import InputError
@@ -57,6 +57,12 @@ class Desk:
     def writable(self) -> bool:
         """The session may be changed."""
         return self.bench.session.writable
+
+    def begin(self) -> None:
+        """A new session: rooms take over what they remember from earlier ones."""
+        for room in self.rooms.values():
+            if isinstance(room, Remembering):
+                room.begin(self.bench, self.person)
 
     def restore(self, job: EngineJob) -> None:
         """Solve every step that has samples again, in order, and show each."""
@@ -151,6 +157,9 @@ class Desk:
     def accept(self, step: str) -> None:
         """Accept the result shown; ask `why_not_accept` first."""
         self.bench.session.accept(step, self.person)
+        room = self.rooms[step]
+        if isinstance(room, Remembering):
+            room.accepted(self.bench)
         self.show()
 
     def show(self) -> None:

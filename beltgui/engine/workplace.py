@@ -89,6 +89,8 @@ class Workplace:
             self._leave()
             session.close()
             raise
+        if isinstance(command, m.NewSession):
+            self._desk.begin()
         try:
             self._desk.restore(job)
         except Cancelled:
@@ -237,6 +239,8 @@ class Workplace:
         assert self._desk is not None
         session, person = self._desk.bench.session, self._desk.person
         match command:
+            case m.Include() | m.Delete() if command.sample_id < 0:
+                self._change_pair(command)
             case m.Include():
                 session.include(command.sample_id, command.on, person)
             case m.Delete():
@@ -253,6 +257,17 @@ class Workplace:
                     raise InputError("There is nothing to do again.")
             case _:
                 raise TypeError(f"{type(command).__name__} is no command")
+
+    def _change_pair(self, command: m.Include | m.Delete) -> None:
+        """Rows with negative ids are picked pairs; they live in a setting."""
+        from beltgui.steps.rough.picks import delete_pair, include_pair
+
+        assert self._desk is not None
+        session, person = self._desk.bench.session, self._desk.person
+        if isinstance(command, m.Include):
+            include_pair(session, command.sample_id, command.on, person)
+        else:
+            delete_pair(session, command.sample_id, person)
 
     def compare(self, folder: Path) -> None:
         """Compare with another session."""
@@ -312,6 +327,6 @@ def _simulated(folder: Path, cell_file: Path, blade_step: Path, info: Mapping[st
 
 
 def _write(bench: Bench, outcome: Any, folder: Path, job: Job) -> tuple[Path, ...]:
-    from beltgui.steps.error_surface.room import export
+    from beltgui.steps.error_surface.export import export
 
     return export(bench, outcome, folder, job)

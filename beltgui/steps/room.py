@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 from beltgui.jobs import Job
 from beltgui.session import Session
@@ -90,4 +90,17 @@ class Room(Protocol):
             outcome: Of this step; None before there is one.
             error: Why there is none, if solving was tried.
         """
+        ...
+
+
+@runtime_checkable
+class Remembering(Protocol):
+    """A room that remembers a choice beyond the session, e.g. the faces of a blade type."""
+
+    def begin(self, bench: Bench, person: str) -> None:
+        """A new session begins: take over what was remembered."""
+        ...
+
+    def accepted(self, bench: Bench) -> None:
+        """The step's result was accepted: remember what it was made with."""
         ...

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, QPoint, Qt, Signal, Slot
+from PySide6.QtCore import QObject, QPoint, Qt, QThread, Signal, Slot
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -21,7 +21,7 @@ T = TypeVar("T")
 LOOK_EVERY_S = 0.05
 
 
-class TookTooLong(AssertionError):
+class TooLongError(AssertionError):
     """What was waited for did not come; the picture says what was there instead."""
 
 
@@ -30,8 +30,9 @@ class _Caller(QObject):
 
     asked = Signal(object)
 
-    def __init__(self) -> None:
+    def __init__(self, home: QThread) -> None:
         super().__init__()
+        self.moveToThread(home)
         self.asked.connect(self._execute, Qt.ConnectionType.BlockingQueuedConnection)
 
     @Slot(object)
@@ -47,13 +48,12 @@ class Screen:
 
     Args:
         out: Folder for the screenshots.
-        before_click: Called with the object name before every click, e.g. to take pictures for an animation.
     """
 
     def __init__(self, out: Path) -> None:
         self.out = out
         self.out.mkdir(parents=True, exist_ok=True)
-        self._caller = _Caller()
+        self._caller = _Caller(QThread.currentThread())
         self._pause = threading.Event()
         self.shots: list[Path] = []
 
@@ -94,7 +94,7 @@ class Screen:
         while not condition():
             if time.monotonic() > end:
                 self.shot("took_too_long")
-                raise TookTooLong(f"{what}: not within {timeout_s:g} s; see {self.shots[-1]}")
+                raise TooLongError(f"{what}: not within {timeout_s:g} s; see {self.shots[-1]}")
             self._pause.wait(LOOK_EVERY_S)
 
     # ---- acting
@@ -167,26 +167,29 @@ def xdotool(*words: str) -> None:
     subprocess.run(["xdotool", *words], check=True, timeout=30)
 
 
-def run_beside(application: QApplication, work: Callable[[], None], done: Callable[[], None]) -> list[BaseException]:
-    """Run a driver's work in a thread while the application runs; returns what went wrong.
+def run_beside(run: Callable[[], int], work: Callable[[], None]) -> list[BaseException]:
+    """Run an application here and a driver's work in a thread beside it.
 
     Args:
-        application: Not yet running.
-        work: Called in the thread.
-        done: Called in the window's thread at the end, e.g. to close the window.
+        run: Comes back when the application has ended.
+        work: Called in the thread; has to close the application at its end.
+
+    Returns:
+        What went wrong in either.
     """
     problems: list[BaseException] = []
-    caller = _Caller()
 
     def drive() -> None:
         try:
             work()
         except BaseException as error:
             problems.append(error)
-        caller.asked.emit({"look": done})
+            xdotool("key", "ctrl+q")
 
     thread = threading.Thread(target=drive, name="driver")
     thread.start()
-    application.exec()
+    code = run()
     thread.join()
+    if code:
+        problems.append(AssertionError(f"the application ended with exit code {code}"))
     return problems

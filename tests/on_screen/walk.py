@@ -8,16 +8,19 @@ Ends with exit code 0 when the robot programs are written, and with the reason o
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from tests.on_screen.driver import Screen, run_beside
 
 STEPS = ("ball", "base", "rough", "fine", "tool", "error_surface")
 STEP_S = 400.0
-Extra = Callable[[str], None]
 
 
 class Walk:
@@ -48,6 +51,9 @@ class Walk:
         screen.type(person)
         self.shot("start")
         screen.click("begin")
+        screen.wait("the tour of a first start", lambda: screen.enabled("tour_skip"))
+        self.shot("tour")
+        screen.click("tour_skip")
         screen.wait("the first step", lambda: screen.enabled("primary_button"))
 
     def step(self, step: str) -> None:
@@ -68,6 +74,17 @@ class Walk:
         """To the step that follows."""
         self.screen.click("primary_button")
 
+    def export(self) -> None:
+        """Write the robot programs: the button, then Enter in the folder's dialog."""
+        screen = self.screen
+        screen.click("primary_button")
+        screen.wait("the folder's dialog", lambda: screen.visible("folder_dialog"))
+        self.shot("export_folder")
+        screen.key("Return")
+        screen.wait("the programs are written", lambda: screen.visible("exported_dialog"), STEP_S)
+        self.shot("exported")
+        screen.key("Escape")
+
     def busy(self) -> bool:
         """True while work is under way."""
         return self.screen.visible("job_cancel")
@@ -79,7 +96,6 @@ class Walk:
         def something_to_do() -> bool:
             return not self.busy() or screen.enabled("question_done") or screen.enabled("question_move")
 
-        halfway = False
         while True:
             screen.wait(f"{step}: a question or the end", something_to_do, STEP_S)
             if screen.enabled("question_done"):
@@ -88,8 +104,6 @@ class Walk:
                 self.answer(step, "question_move")
             elif not self.busy():
                 return
-            if not halfway and self.pictures:
-                halfway = True
 
     def answer(self, step: str, button: str) -> None:
         """Say yes, for the whole series where that is offered."""
@@ -99,7 +113,7 @@ class Walk:
         if kind not in self.questions_seen:
             self.questions_seen.add(kind)
             self.shot(f"{step}_{button.removeprefix('question_')}")
-        if screen.enabled("question_series") and not screen.look(lambda: screen.widgets("question_series")[0].isChecked()):
+        if screen.enabled("question_series") and not screen.look(self.series_is_ticked):
             screen.click("question_series")
         screen.click(button)
         screen.wait(
@@ -107,17 +121,74 @@ class Walk:
             lambda: not screen.visible("question_panel") or screen.text("question_text") != text,
         )
 
+    def series_is_ticked(self) -> bool:
+        """True if the answer will hold for the whole series."""
+        box: Any = self.screen.widgets("question_series")[0]
+        return bool(box.isChecked())
+
 
 def main(words: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True, help="folder for the pictures")
     parser.add_argument("--theme", choices=("light", "dark"), default="light")
     parser.add_argument("--language", choices=("en", "zh_CN"), default="en")
-    parser.add_argument("--resolution", default="test")
-    parser.add_argument("--speed", type=float, default=0.0)
-    parser.add_argument("--grid", type=int, nargs=2, default=(33, 20))
+    parser.add_argument("--resolution", default="test", help="of the simulated scanner")
+    parser.add_argument("--speed", type=float, default=0.0, help="times real time; 0 is instantly")
+    parser.add_argument("--grid", type=int, nargs=2, default=(33, 20), help="probed points in u and v")
     args = parser.parse_args(words)
-    raise SystemExit(walk(args))
+    problems = walk(args.out, theme=args.theme, language=args.language,
+                    cell={"resolution": args.resolution, "speed": args.speed, "grid": tuple(args.grid)})  # fmt: skip
+    for problem in problems:
+        traceback.print_exception(problem)
+    return 1 if problems else 0
+
+
+def walk(out: Path, *, theme: str, language: str, cell: dict[str, Any]) -> list[BaseException]:
+    """The application and the person before it.
+
+    Args:
+        out: Folder for the pictures.
+        theme: `light` or `dark`.
+        language: `en` or `zh_CN`.
+        cell: Fields of `NewSession` that the start page does not ask for.
+    """
+    from PySide6.QtWidgets import QApplication
+
+    from beltgui.app import main as application
+    from beltgui.app.client import EngineClient
+    from beltgui.app.window import MainWindow
+    from beltgui.engine.messages import NewSession
+
+    send = EngineClient.send
+
+    def with_cell(client: EngineClient, command: Any) -> None:
+        send(client, replace(command, **cell) if isinstance(command, NewSession) else command)
+
+    EngineClient.send = with_cell  # type: ignore[method-assign]
+    _application = QApplication(sys.argv[:1])
+    screen = Screen(out)
+
+    def window() -> MainWindow:
+        return next(widget for widget in QApplication.topLevelWidgets() if isinstance(widget, MainWindow))
+
+    def state(step: str) -> str:
+        views = screen.look(lambda: window().known.views)
+        return str(views[step].state) if step in views else ""
+
+    def work() -> None:
+        person = Walk(screen, state)
+        person.begin("Ada")
+        for step in STEPS:
+            person.step(step)
+            if step != STEPS[-1]:
+                person.next()
+        person.export()
+        screen.key("ctrl+q")
+
+    with tempfile.TemporaryDirectory() as home:
+        for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "BELTCAL_HOME"):
+            os.environ[name] = home
+        return run_beside(lambda: application.run(sim=True, theme=theme, language=language), work)
 
 
 if __name__ == "__main__":

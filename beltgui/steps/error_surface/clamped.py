@@ -166,11 +166,13 @@ def _register(
     bench: Bench, scans: list[ScanSample], earlier: FineOutcome | None, unmoved_mm: float = RETURNED_LIMIT_MM
 ) -> FineOutcome:
     stage, base = _found(bench, "ball").stage, _found(bench, "base").fit
+    faces = _found(bench, "fine").face_ids
     if earlier is None:
-        return fine.solve(scans, stage, base, bench.model, bench.blade, _found(bench, "fine").fit.measure_from_work)
+        start = _found(bench, "fine").fit.measure_from_work
+        return fine.solve(scans, stage, base, bench.model, bench.blade, start, face_ids=faces)
     start = earlier.fit.measure_from_work
     outcome = fine.solve(
-        scans, stage, base, bench.model, bench.blade, start, unmoved_since=start, unmoved_mm=unmoved_mm
+        scans, stage, base, bench.model, bench.blade, start, unmoved_since=start, unmoved_mm=unmoved_mm, face_ids=faces
     )
     assert outcome.moved_mm is not None
     if outcome.moved_mm <= outcome.moved_limit_mm:
