@@ -21,8 +21,6 @@ Array = NDArray[np.float64]
 UM_PER_MM = 1000.0
 # Everywhere: plus_minus is twice the standard deviation.
 K = 2.0
-# Sums of these keep a scene below 60 000 points.
-MOST_CLOUD_POINTS = 20_000
 ROLE_OF_USE = {
     Use.FIT: Role.FIT,
     Use.HELD_OUT: Role.HELD_OUT,
