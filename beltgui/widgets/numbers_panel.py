@@ -6,7 +6,7 @@ import math
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px, theme
@@ -16,6 +16,8 @@ from beltgui.widgets.figures import with_unit
 
 # Where on the bar the limit is drawn, so that going beyond it is seen.
 LIMIT_AT = 0.75
+# So many numbers are read at a glance; the others are there on demand.
+FEW = 8
 
 
 class LimitBar(QWidget):
@@ -68,7 +70,7 @@ class LimitBar(QWidget):
 class NumberRow(QWidget):
     """One number."""
 
-    def __init__(self, main: bool, limited: bool, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.label = QLabel(self)
         self.label.setWordWrap(True)
@@ -76,16 +78,12 @@ class NumberRow(QWidget):
         self.value = QLabel(self)
         self.value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
         self.value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        if main:
-            self.value.setProperty("title", "2")
         self.spread = QLabel(self)
         self.spread.setProperty("tone", "muted")
         self.spread.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.limit = QLabel(self)
         self.limit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.bar = LimitBar(self)
-        self.bar.setVisible(limited)
-        self.limit.setVisible(limited)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 2)
         grid.setHorizontalSpacing(8)
@@ -98,7 +96,10 @@ class NumberRow(QWidget):
         grid.addWidget(self.limit, 2, 1)
 
     def show_number(self, item: Number) -> None:
-        """Show a number of the same kind (main, limited) as the row was made for."""
+        """Show a number; a main one larger, one with a limit with its bar."""
+        _look(self.value, "title", "2" if item.main else "")
+        self.bar.setVisible(item.limit is not None)
+        self.limit.setVisible(item.limit is not None)
         self.label.setText(sentence(item.label))
         self.value.setText(with_unit(item.value, item.unit, item.decimals))
         self.spread.setVisible(item.plus_minus is not None)
@@ -111,7 +112,7 @@ class NumberRow(QWidget):
             over = self.bar.share is not None and self.bar.share > 1.0
             words = self.tr("▲ limit {limit}") if over else self.tr("limit {limit}")
             self.limit.setText(words.format(limit=with_unit(item.limit, item.unit, item.decimals)))
-            self._tone(self.limit, "bad" if over else "muted")
+            _look(self.limit, "tone", "bad" if over else "muted")
         self.setAccessibleName(self.text())
 
     def text(self) -> str:
@@ -119,11 +120,12 @@ class NumberRow(QWidget):
         parts = [self.label, self.value, self.spread, self.limit]
         return " ".join(part.text() for part in parts if not part.isHidden())
 
-    @staticmethod
-    def _tone(label: QLabel, tone: str) -> None:
-        if label.property("tone") != tone:
-            label.setProperty("tone", tone)
-            label.style().polish(label)
+
+def _look(label: QLabel, key: str, value: str) -> None:
+    """Give a label another look of the stylesheet."""
+    if (label.property(key) or "") != value:
+        label.setProperty(key, value)
+        label.style().polish(label)
 
 
 class NumbersPanel(QWidget):
@@ -133,30 +135,34 @@ class NumbersPanel(QWidget):
         super().__init__(parent)
         self.setObjectName("numbers")
         self._numbers: tuple[Number, ...] = ()
-        self._kinds: list[tuple[bool, bool]] = []
         self.rows: list[NumberRow] = []
+        self.all_button = QToolButton(self)
+        self.all_button.setObjectName("numbers_all")
+        self.all_button.setCheckable(True)
+        self.all_button.toggled.connect(self.retranslate)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(4)
+        self._layout.addWidget(self.all_button)
         self.setVisible(False)
         self.retranslate()
 
     def show_numbers(self, numbers: tuple[Number, ...]) -> None:
-        """Show these; rows are used again where their kind is the same."""
+        """Show the main ones, and the rest if it is wanted or there are few."""
         self._numbers = numbers
-        ordered = sorted(numbers, key=lambda item: not item.main)
-        kinds = [(item.main, item.limit is not None) for item in ordered]
-        if kinds != self._kinds:
-            for row in self.rows:
-                self._layout.removeWidget(row)
-                row.hide()
-                row.deleteLater()
-            self.rows = [NumberRow(main, limited, self) for main, limited in kinds]
-            for row in self.rows:
-                self._layout.addWidget(row)
-            self._kinds = kinds
-        for row, item in zip(self.rows, ordered, strict=True):
+        ordered = sorted(numbers, key=lambda item: (not item.main, item.limit is None))
+        shown = ordered if self.all_button.isChecked() else ordered[: self._few(ordered)]
+        while len(self.rows) < len(shown):
+            self.rows.append(NumberRow(self))
+            self._layout.insertWidget(len(self.rows) - 1, self.rows[-1])
+        for row, item in zip(self.rows, shown, strict=False):
             row.show_number(item)
+        for place, row in enumerate(self.rows):
+            row.setVisible(place < len(shown))
+        self.all_button.setVisible(len(ordered) > self._few(ordered))
+        words = self.tr("Fewer numbers") if self.all_button.isChecked() else self.tr("All {count} numbers")
+        self.all_button.setText(words.format(count=len(ordered)))
+        self.all_button.setAccessibleName(self.all_button.text())
         self.setVisible(bool(numbers))
 
     def retranslate(self) -> None:
@@ -164,6 +170,11 @@ class NumbersPanel(QWidget):
         self.setAccessibleName(self.tr("Numbers of the result"))
         self.show_numbers(self._numbers)
 
+    @staticmethod
+    def _few(ordered: list[Number]) -> int:
+        """How many are shown first: the main ones, and up to `FEW` in all."""
+        return max(sum(item.main for item in ordered), FEW)
+
     def text(self) -> str:
         """All numbers as text."""
-        return "\n".join(row.text() for row in self.rows)
+        return "\n".join(row.text() for row in self.rows if not row.isHidden())

@@ -55,10 +55,26 @@ def test_rows_are_used_again(qtbot: QtBot) -> None:
     qtbot.addWidget(panel)
     panel.show_numbers(NUMBERS)
     before = list(panel.rows)
-    panel.show_numbers(NUMBERS)
+    panel.show_numbers(NUMBERS[:3])
     assert panel.rows == before
+    assert len(panel.text().split("\n")) == 3
     panel.show_numbers(())
     assert panel.isHidden()
+
+
+def test_many_numbers_are_shown_on_demand(qtbot: QtBot) -> None:
+    panel = NumbersPanel()
+    qtbot.addWidget(panel)
+    panel.show_numbers(tuple(Number(f"value {k}", float(k), "mm", main=k == 29) for k in range(30)))
+    assert panel.text().split("\n")[0] == "value 29 29.000 mm"
+    assert len(panel.text().split("\n")) == 8
+    assert panel.all_button.text() == "All 30 numbers"
+    panel.all_button.click()
+    assert len(panel.text().split("\n")) == 30
+    panel.all_button.click()
+    assert len(panel.text().split("\n")) == 8
+    panel.show_numbers(NUMBERS)
+    assert panel.all_button.isHidden()
 
 
 def test_checks_have_shape_value_limit_and_count(qtbot: QtBot) -> None:
