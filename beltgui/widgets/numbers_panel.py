@@ -144,6 +144,7 @@ class NumbersPanel(QWidget):
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(4)
         self._layout.addWidget(self.all_button)
+        self._make_rows(FEW)
         self.setVisible(False)
         self.retranslate()
 
@@ -152,9 +153,7 @@ class NumbersPanel(QWidget):
         self._numbers = numbers
         ordered = sorted(numbers, key=lambda item: (not item.main, item.limit is None))
         shown = ordered if self.all_button.isChecked() else ordered[: self._few(ordered)]
-        while len(self.rows) < len(shown):
-            self.rows.append(NumberRow(self))
-            self._layout.insertWidget(len(self.rows) - 1, self.rows[-1])
+        self._make_rows(len(shown))
         for row, item in zip(self.rows, shown, strict=False):
             row.show_number(item)
         for place, row in enumerate(self.rows):
@@ -169,6 +168,11 @@ class NumbersPanel(QWidget):
         """Write again in the present language."""
         self.setAccessibleName(self.tr("Numbers of the result"))
         self.show_numbers(self._numbers)
+
+    def _make_rows(self, count: int) -> None:
+        while len(self.rows) < count:
+            self.rows.append(NumberRow(self))
+            self._layout.insertWidget(len(self.rows) - 1, self.rows[-1])
 
     @staticmethod
     def _few(ordered: list[Number]) -> int:

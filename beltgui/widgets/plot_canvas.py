@@ -205,4 +205,5 @@ class PlotCanvas(QWidget):
 
 def _legend(series: Series) -> str:
     assert not isinstance(series, Map)
-    return f'<span style="color:{colour(series.role)}">{sign(series)}</span> {html.escape(sentence(series.name))}'
+    name = html.escape(sentence(series.name)).replace(" ", "&nbsp;")
+    return f'<span style="color:{colour(series.role)}">{sign(series)}</span>&nbsp;{name}'

@@ -43,6 +43,7 @@ class PlotsArea(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.tabs)
+        self._put_aside(self._make_canvas())
         self.retranslate()
 
     def show_plots(self, plots: tuple[Plot, ...]) -> None:
@@ -116,6 +117,9 @@ class PlotsArea(QWidget):
             canvas = self._free.pop()
             canvas.whole()
             return canvas
+        return self._make_canvas()
+
+    def _make_canvas(self) -> PlotCanvas:
         canvas = PlotCanvas(self)
         canvas.chosen.connect(self.chosen)
         return canvas

@@ -5,10 +5,11 @@ one chosen with `set_step`.
 
 Object names that a driver finds:
     step_page, right_panel, step_title, step_purpose, step_instruction, rhythm, side_scroll, scene_view, banner,
-    banner_copy, numbers, numbers_all, checks, suggestion, live_values, step_progress, cancel_button, primary_button,
-    solve_button, start_over_button, samples_table, samples_flagged, undo_button, redo_button, delete_button, plots, plot_tabs,
-    plot_whole, question_panel, question_text, question_motion, question_picture, question_done, question_not_now,
-    question_move, question_hold, question_series, panel_<step> (see the steps' own panels for what is in them).
+    banner_copy, numbers, numbers_all, checks, suggestion, live_values, step_progress, cancel_button,
+    primary_button, solve_button, start_over_button, samples_table, samples_flagged, undo_button, redo_button,
+    delete_button, plots, plot_tabs, plot_whole, question_panel, question_text, question_motion, question_picture,
+    question_done, question_not_now, question_move, question_hold, question_series, panel_<step> (see the steps' own
+    panels for what is in them).
 """
 
 from __future__ import annotations

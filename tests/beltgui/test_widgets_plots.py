@@ -130,7 +130,7 @@ def test_the_legend_has_a_sign_for_each_series(area: PlotsArea) -> None:
     text = area.canvas("residuals").legend.text()
     assert "■" in text
     assert "◆" in text
-    assert "held out" in text
+    assert "held&nbsp;out" in text
 
 
 def test_limits_follow(area: PlotsArea) -> None:
