@@ -40,11 +40,15 @@ KEYED = {
     "flange", "label", "robot_base", "scanner_volume", "segments", "sphere", "spheres", "triads",
 }  # fmt: skip
 OPTIONS = {"errors", "format", "indexing", "join_style", "method", "mode", "side", "view"}
-# Said by the operating system and handed on.
+# Put together in two places, so that no single template shows which word belongs to which.
+TOGETHER = ("grinder {0} angle", "grinder {0} force", "{0} and others")
+# Said by the operating system and by the database, and handed on.
 SYSTEM = (
     "Directory not empty", "File exists", "File name too long", "Input/output error", "Is a directory",
     "No space left on device", "No such file or directory", "Not a directory", "Operation not permitted",
-    "Permission denied", "Read-only file system", "Too many open files",
+    "Permission denied", "Read-only file system", "Too many open files", "[Errno {0}] {1}: {2}",
+    "attempt to write a readonly database", "database disk image is malformed", "database is locked",
+    "disk I/O error", "file is not a database", "no such table: {0}", "unable to open database file",
 )  # fmt: skip
 
 
@@ -110,7 +114,7 @@ def quoted(text: str) -> str:
 
 def templates() -> list[str]:
     """All templates, sorted."""
-    found = set(SYSTEM)
+    found = {*SYSTEM, *TOGETHER}
     for file in sorted((ROOT / "resources" / "blades").glob("*.toml")):
         found.add(tomllib.loads(file.read_text(encoding="utf-8"))["blade"]["description"])
     for place in SPEAKING:
@@ -196,7 +200,7 @@ def is_speech(text: str) -> bool:
         return False
     if re.fullmatch(r"[a-z0-9_.\-/:{}*%µ]+", text) and not re.fullmatch(r"[a-z]{3,}", text):
         return False  # identifiers, file names, formats, units
-    if re.fullmatch(r"[A-Z0-9_]+|([A-Z][a-z0-9]+){2,}", text) or re.search(r"->|[\\^|]|%[A-Z]|^[<.]", text):
+    if re.fullmatch(r"[A-Z0-9_]+|([A-Z][a-z0-9]+){2,}", text) or re.search(r"->|[\\|]|%[A-Z]|^[<.^]", text):
         return False  # codes, names of classes, sums of products, patterns, formats
     return not re.search(r"\b(SELECT|INSERT|UPDATE|CREATE|PRAGMA|DELETE|BEGIN) ", text)
 

@@ -8,11 +8,21 @@ from types import MappingProxyType
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from beltgui.app.sentences import Sentences
+from beltgui.steps.state import TITLES
 from resources import resource_path
 
 ENGLISH, CHINESE = "en", "zh_CN"
 LANGUAGES: Mapping[str, str] = MappingProxyType({ENGLISH: "English", CHINESE: "简体中文"})
 CONTEXT = "sentence"
+# How lists and clauses are joined; of what stands in several, the looser joint comes first.
+JOINTS: Mapping[str, Mapping[str, str]] = MappingProxyType({
+    CHINESE: {
+        " – ": " – ", "; ": "；", ": ": "：", ", then ": "，然后", ", ": "、", " and ": "和", " or ": "或",
+        " with ": "，同时", ".": "。", "'": "“”",
+    },
+})  # fmt: skip
+# Steps are called by their titles on the screen.
+KEYS: Mapping[str, Mapping[str, str]] = MappingProxyType({"step '": TITLES})
 
 
 class _Installed:
@@ -72,7 +82,8 @@ def sentence(text: str) -> str:
     if _Installed.sentences is None:
         from beltgui.app.sentence_templates import TEMPLATES
 
-        _Installed.sentences = Sentences(TEMPLATES, _translated)
+        joints = JOINTS.get(_Installed.language)
+        _Installed.sentences = Sentences([str(text) for text in TEMPLATES], _translated, joints=joints, keys=KEYS)
     return _Installed.sentences.say(text)
 
 

@@ -2,43 +2,50 @@
 
 What lies below the screen speaks plain English and knows nothing of languages. Its sentences are written as templates
 (f-strings) in the source; `tools/translations.py` collects them, with `{0}`, `{1}` ... for what is filled in. Here a
-sentence is taken apart by these templates; what was filled in may be made of templates itself.
+sentence is taken apart by these templates; what was filled in may be made of templates itself. Of all ways to take it
+apart the one counts that leaves the fewest letters of English over.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from functools import lru_cache
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from beltgui.app.template import PLACE, Template, words_in
 
 Translate = Callable[[str], str]
-PLACE = re.compile(r"\{(\d+)\}")
-SENTENCE_END = re.compile(r"(?<=[.:;!?]) +")
+SENTENCE_END = re.compile(r"(?<=[.!?]) +")
+# `Ball in {F} x`: a label and what it is of.
+TAIL = re.compile(r"(.+) ([A-Za-z]'{0,2}|[+-]?[\d.]+)", re.DOTALL)
+# `+0.70 rotary tilt`: a number and what it counts.
+TERM = re.compile(r"([+-]?[\d.]+) (.+)", re.DOTALL)
+BRACKETS = re.compile(r"(.+) \(([^()]+)\)", re.DOTALL)
+NAME = re.compile(r"'([^']+)'")
+SHUT = re.compile(r"\([^()]*\)|\[[^\[\]]*\]|'[^']*'")
+WORD = re.compile(r"[^\s,;:()\[\]\"]+")
+QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
+# Units, codes and names that are the same in every language.
+EVERYWHERE = frozenset({"deg", "rad", "nan", "inf", "NaN", "beltcal"})
+SHORT_WORDS = frozenset({"an", "as", "at", "by", "do", "in", "is", "it", "no", "of", "on", "or", "to", "up"})
 MOST_SENTENCES = 24
-# Deeper nesting than this is not written anywhere.
-DEPTH = 6
-# Lists are joined with these; each part is a text of its own.
-JOINTS = (", ", "; ", " and ", " or ")
+MOST_WAYS = 12
+# Templates with fewer letters, such as `{0} is {1}.`, count only where all that is filled in is known.
+LEAST_WEIGHT = 12
+MOST_STEPS = 80
+# More than this is no sentence but, say, the report of a crash; it is left as it is.
+MOST_LETTERS = 2000
+MOST_KEPT = 20_000
 
 
-class _Template:
-    """One template as a pattern."""
+@dataclass(frozen=True)
+class _Said:
+    """A text in the other language, and how many letters of English are left in it."""
 
-    def __init__(self, text: str) -> None:
-        self.text = text
-        pieces = PLACE.split(text)
-        self.literal = max(pieces[::2], key=len)
-        self.weight = sum(len(piece) for piece in pieces[::2])
-        self._order = [int(number) for number in pieces[1::2]]
-        pattern = "".join(re.escape(piece) if i % 2 == 0 else "(.+?)" for i, piece in enumerate(pieces))
-        self._pattern = re.compile(pattern, re.DOTALL)
-
-    def filled(self, text: str) -> dict[int, str] | None:
-        """What stands in the places if the text is of this template."""
-        if self.literal not in text:
-            return None
-        found = self._pattern.fullmatch(text)
-        return None if found is None else dict(zip(self._order, found.groups(), strict=True))
+    text: str
+    left: int
 
 
 class Sentences:
@@ -47,6 +54,9 @@ class Sentences:
     Args:
         templates: All of them.
         translate: Gives a template's translation, with the same places; the template itself if there is none.
+        joints: What lists and clauses are joined with, and how the other language does it, e.g. `{" and ": " und "}`,
+            also its full stop under `.` and its two quotation marks under `'`.
+        keys: After words that end a template's piece, such as `step '`, stands a key; by which words it is known.
 
     Example:
         >>> german = {"The {0} is lost.": "{0} ist verloren.", "robot": "Roboter"}
@@ -54,65 +64,214 @@ class Sentences:
         'Roboter ist verloren.'
     """
 
-    def __init__(self, templates: Sequence[str], translate: Translate) -> None:
+    def __init__(
+        self,
+        templates: Sequence[str],
+        translate: Translate,
+        *,
+        joints: Mapping[str, str] | None = None,
+        keys: Mapping[str, Mapping[str, str]] | None = None,
+    ) -> None:
         self._plain = {text for text in templates if not PLACE.search(text)}
-        with_places = [_Template(text) for text in templates if PLACE.search(text)]
-        self._templates = sorted(with_places, key=lambda template: -template.weight)
+        self._by_word = _indexed([Template(text) for text in templates if PLACE.search(text)])
         self._translate = translate
-        self.say = lru_cache(maxsize=4096)(self._say)
+        marks = dict(joints or {})
+        self._full_stop = marks.pop(".", ".")
+        self._quotes = marks.pop("'", "''")
+        self._joints = marks
+        self._keys = dict(keys or {})
+        self._kept: dict[str, _Said] = {}
+        self._steps = 0
+
+    def say(self, text: str) -> str:
+        """The text in the other language; what no template knows stays as it is."""
+        return self._said(text).text
 
     def knows(self, text: str) -> bool:
-        """True if every word of the text comes from a template, numbers and names in quotes apart."""
-        return self._found(text, 0) is not None
+        """True if every word of the text comes from a template; numbers, units, codes and names in quotes apart."""
+        return self._said(text).left == 0
 
-    def _say(self, text: str) -> str:
-        found = self._found(text, 0)
-        if found is None:
-            found = self._one_by_one(text)
-        return found
+    def _said(self, text: str) -> _Said:
+        self._steps = MOST_STEPS
+        self._kept[text] = self._best(text)
+        return self._kept[text]
 
-    def _one_by_one(self, text: str) -> str:
-        """What is known of a text of several lines or sentences; the rest as it is."""
-        lines = text.split("\n")
-        if len(lines) > 1:
-            return "\n".join(self._say(line) for line in lines)
-        parts = SENTENCE_END.split(text)
-        return " ".join(self._filling(part, 0) for part in parts)
-
-    def _found(self, text: str, depth: int) -> str | None:
-        if text in self._plain:
-            return self._translate(text)
-        if depth > DEPTH:
-            return None
-        stripped = text.strip()
-        if stripped != text and stripped:
-            inner = self._found(stripped, depth)
-            return None if inner is None else text.replace(stripped, inner)
-        for template in self._templates:
-            filled = template.filled(text)
-            if filled is not None:
-                parts = {str(place): self._filling(part, depth + 1) for place, part in filled.items()}
-                pieces = PLACE.split(self._translate(template.text))
-                return "".join(parts[piece] if i % 2 else piece for i, piece in enumerate(pieces))
-        return self._joined(text, depth)
-
-    def _filling(self, text: str, depth: int) -> str:
-        found = self._found(text, depth)
+    def _best(self, text: str) -> _Said:
+        found = self._kept.get(text)
         if found is not None:
             return found
-        for joint in JOINTS:
-            parts = text.split(joint)
-            if len(parts) > 1:
-                return joint.join(self._filling(part, depth + 1) for part in parts)
-        return text
+        self._steps -= 1
+        if self._steps < 0:  # an unknown text can be taken apart in thousands of ways, all of no use
+            return _Said(text, _letters(text))
+        found = self._least(text)
+        if self._steps >= 0:
+            if len(self._kept) >= MOST_KEPT:
+                self._kept.clear()
+            self._kept[text] = found
+        return found
 
-    def _joined(self, text: str, depth: int) -> str | None:
-        """A text of several sentences, the longest known beginning first."""
+    def _least(self, text: str) -> _Said:
+        """The way that leaves least over; of equal ones the first."""
+        stripped = text.strip()
+        if not stripped:
+            return _Said(text, 0)
+        if stripped != text:
+            inner = self._best(stripped)
+            before, _, after = text.partition(stripped)
+            return _Said((before if inner.text[0].isascii() else "") + inner.text + after, inner.left)
+        if text in self._plain:
+            return _Said(self._translate(text), 0)
+        best: _Said | None = None
+        for said in self._ways(text):
+            if best is None or said.left < best.left:
+                best = said
+            if best.left == 0:
+                return best
+        as_it_is = _Said(text, _letters(text))
+        return as_it_is if best is None or as_it_is.left < best.left else best
+
+    def _ways(self, text: str) -> Iterator[_Said]:
+        """From the likeliest on."""
+        if len(text) <= MOST_LETTERS:
+            if text[-1] not in ".!?" and not SENTENCE_END.search(text):
+                # `rotation about a with shift along b`: two things, no rotation about something joined
+                yield from (said for said in self._by_joints(text, whole=True) if said.left == 0)
+            yield from self._by_templates(text)
+        if "\n" in text:
+            yield from self._by_lines(text)
+        elif len(text) <= MOST_LETTERS:
+            yield from self._without_end(text)
+            yield from self._by_sentences(text)
+            yield from self._by_joints(text)
+            yield from self._by_marks(text)
+
+    def _by_templates(self, text: str) -> Iterator[_Said]:
+        words = words_in(text)
+        found = {id(one): one for word in words for one in self._by_word.get(word, ())}
+        for one in self._by_word.get("", ()):
+            found[id(one)] = one
+        for template in sorted(found.values(), key=lambda one: -one.weight):
+            for filled in islice(template.ways(text), MOST_WAYS):
+                said = self._filled(template, filled)
+                if said.left == 0 or template.weight >= LEAST_WEIGHT:
+                    yield said
+
+    def _filled(self, template: Template, filled: Mapping[str, str]) -> _Said:
+        said, left = {}, 0
+        for place, text in filled.items():
+            before = template.before[place]
+            names = next((names for end, names in self._keys.items() if before.endswith(end)), {})
+            part = self._best(names.get(text, text))
+            said[place] = part.text
+            left += 0 if before.endswith("'") else part.left
+        whole = ""
+        for i, piece in enumerate(PLACE.split(self._translate(template.text))):
+            whole = _beside(whole, said[piece] if i % 2 else piece)
+        return _Said(whole.strip(), left)
+
+    def _by_lines(self, text: str) -> Iterator[_Said]:
+        lines = [self._best(line) if len(text) <= MOST_LETTERS else _Said(line, _letters(line))
+                 for line in text.split("\n")]  # fmt: skip
+        yield _Said("\n".join(line.text for line in lines), sum(line.left for line in lines))
+
+    def _by_sentences(self, text: str) -> Iterator[_Said]:
+        """A text of several sentences, the longest beginning first."""
         ends = [match.span() for match in SENTENCE_END.finditer(text)][:MOST_SENTENCES]
         for start, stop in reversed(ends):
-            first = self._found(text[:start], depth + 1)
-            if first is not None:
-                rest = self._found(text[stop:], depth + 1)
-                if rest is not None:
-                    return f"{first} {rest}"
-        return None
+            first, rest = self._best(text[:start]), self._best(text[stop:])
+            between = " " if first.text[-1:].isascii() else ""
+            yield _Said(f"{first.text}{between}{rest.text}", first.left + rest.left)
+
+    def _by_joints(self, text: str, *, whole: bool = False) -> Iterator[_Said]:
+        """A list, or clauses, with `whole` of parts that are all translated; where a file lies is said as it is."""
+        files = "/" in text or "\\" in text
+        for joint, other in self._joints.items():
+            parts = _split(text, joint) if joint == ": " or not files else [text]
+            if len(parts) > 1:
+                said = [self._best(part) for part in parts]
+                new = [one.text != part for one, part in zip(said, parts, strict=True)]
+                if all(new) or (any(new) and not whole):
+                    yield _Said(_chain([one.text for one in said], other), sum(one.left for one in said))
+
+    def _without_end(self, text: str) -> Iterator[_Said]:
+        """A list or clause with a full stop after it."""
+        if text.endswith(".") and not text.endswith(".."):
+            inner = self._best(text[:-1])
+            if inner.text != text[:-1]:
+                yield _Said(inner.text + self._full_stop, inner.left)
+
+    def _by_marks(self, text: str) -> Iterator[_Said]:
+        """A name in quotes, a label with what it is of, a number with what it counts, something in brackets."""
+        if (name := NAME.fullmatch(text)) is not None:
+            inner = self._best(name[1])
+            yield _Said(f"{self._quotes[0]}{inner.text}{self._quotes[1]}", 0)
+        if (label := TAIL.fullmatch(text)) is not None:
+            head = self._best(label[1])
+            yield _Said(f"{head.text} {label[2]}", head.left)
+        if (term := TERM.fullmatch(text)) is not None:
+            rest = self._best(term[2])
+            yield _Said(f"{term[1]} {rest.text}", rest.left)
+        if (brackets := BRACKETS.fullmatch(text)) is not None:
+            head, inner = self._best(brackets[1]), self._best(brackets[2])
+            wide = not head.text[-1:].isascii() and not inner.text[-1:].isascii()
+            both = f"{head.text}（{inner.text}）" if wide else f"{head.text} ({inner.text})"
+            yield _Said(both, head.left + inner.left)
+
+
+def _split(text: str, joint: str) -> list[str]:
+    """The parts between the joints that stand neither in brackets nor in quotes."""
+    shut = [match.span() for match in SHUT.finditer(text)]
+    parts, begin, at = [], 0, text.find(joint)
+    while at >= 0:
+        if not any(start <= at < stop for start, stop in shut):
+            parts.append(text[begin:at])
+            begin = at + len(joint)
+        at = text.find(joint, at + len(joint))
+    return [*parts, text[begin:]]
+
+
+def _chain(parts: Sequence[str], joint: str) -> str:
+    whole = parts[0]
+    for part in parts[1:]:
+        whole = _beside(_beside(whole, joint), part)
+    return whole
+
+
+def _beside(left: str, right: str) -> str:
+    """Two texts put together, with a space where letters of two scripts would touch."""
+    if not left or not right:
+        return left + right
+    one, other = left[-1], right[0]
+    apart = (_is_latin(one, ")%'") and _is_han(other)) or (_is_han(one) and _is_latin(other, "(+-./'"))
+    return f"{left} {right}" if apart else left + right
+
+
+def _is_latin(letter: str, marks: str) -> bool:
+    return letter in marks or (letter.isascii() and letter.isalnum())
+
+
+def _is_han(letter: str) -> bool:
+    return "\u4e00" <= letter <= "\u9fff"
+
+
+def _indexed(templates: Sequence[Template]) -> dict[str, list[Template]]:
+    """Templates by their rarest word; those without a whole word under the empty one."""
+    frequency = Counter(word for template in templates for word in template.words)
+    found: dict[str, list[Template]] = {}
+    for template in templates:
+        rarest = min(template.words, key=lambda word: (frequency[word], word), default="")
+        found.setdefault(rarest, []).append(template)
+    return found
+
+
+def _letters(text: str) -> int:
+    """Letters in English words; names in quotes, numbers, units, codes and names of files are no English."""
+    words = WORD.findall(QUOTED.sub(" ", text))
+    return sum(len(word) for word in words if _is_english(word.strip(".'!?")))
+
+
+def _is_english(word: str) -> bool:
+    letters = word.replace("-", "").replace("'", "")
+    if not (letters.isascii() and letters.isalpha() and word[1:].islower()):
+        return False
+    return word.lower() in SHORT_WORDS if len(word) < 3 else word not in EVERYWHERE

@@ -1058,6 +1058,14 @@
 <context>
     <name>NumbersPanel</name>
     <message>
+        <source>Fewer numbers</source>
+        <translation>收起数值</translation>
+    </message>
+    <message>
+        <source>All {count} numbers</source>
+        <translation>全部 {count} 个数值</translation>
+    </message>
+    <message>
         <source>Numbers of the result</source>
         <translation>结果的数值</translation>
     </message>
@@ -1175,7 +1183,7 @@
     </message>
     <message>
         <source>Stop: top right, or F12. It is no safety function.</source>
-        <translation type="unfinished"></translation>
+        <translation>停止：右上角，或 F12。它不是安全功能。</translation>
     </message>
     <message>
         <source>The robot wants to move</source>
@@ -1888,11 +1896,11 @@
     </message>
     <message>
         <source>({0} bytes where {1} are expected)</source>
-        <translation>（{0} 字节，应为 {1} 字节）</translation>
+        <translation>（{0}字节，应为{1}字节）</translation>
     </message>
     <message>
         <source>({0} observations, repeats count once)</source>
-        <translation>（{0} 个观测，重复的只计一次）</translation>
+        <translation>（{0}个观测，重复的只计一次）</translation>
     </message>
     <message>
         <source>1 sample</source>
@@ -1904,11 +1912,11 @@
     </message>
     <message>
         <source>A pose was found that puts {0} of the scan on {1}, but the fine step refuses it: {2}</source>
-        <translation>找到了一个位姿，使扫描的 {0} 落在{1}上，但精定位步骤拒绝它：{2}</translation>
+        <translation>找到了一个位姿，使扫描的{0}落在{1}上，但精定位步骤拒绝它：{2}</translation>
     </message>
     <message>
         <source>A waiting time must be zero or more seconds, found {0}.</source>
-        <translation>等待时间必须为零秒或更长，现为 {0}。</translation>
+        <translation>等待时间必须为零秒或更长，现为{0}。</translation>
     </message>
     <message>
         <source>Acquire goes on with it; what is there is not taken again.</source>
@@ -1932,11 +1940,11 @@
     </message>
     <message>
         <source>All head angles are the same ({0} deg) although the touches differ by up to {1} mm. Check that the angle sensor is read at every touch.</source>
-        <translation>所有浮动头角度都相同（{0} deg），而各触测点相差达 {1} mm。请检查每次触测时是否读取了角度传感器。</translation>
+        <translation>所有浮动头角度都相同（{0} deg），而各触测点相差达{1} mm。请检查每次触测时是否读取了角度传感器。</translation>
     </message>
     <message>
         <source>All picks lie within {0} mm, on the scan and on the CAD model. They look like metres; give both in mm.</source>
-        <translation>所有选点都在 {0} mm 范围内，扫描和 CAD 模型上均如此。看起来单位是米；两者都请用 mm 给出。</translation>
+        <translation>所有选点都在{0} mm 范围内，扫描和 CAD 模型上均如此。看起来单位是米；两者都请用 mm 给出。</translation>
     </message>
     <message>
         <source>All samples &apos;{0}&apos; of the step &apos;{1}&apos; are left out. Tick at least some of them.</source>
@@ -1944,23 +1952,23 @@
     </message>
     <message>
         <source>All {0} observations are at the same flange pose: the robot has not moved. Move the ball to at least 4 different places, two of them tilted.</source>
-        <translation>全部 {0} 个观测的法兰位姿相同：机器人没有移动。请将标准球移到至少 4 个不同位置，其中两个要倾斜。</translation>
+        <translation>全部{0}个观测的法兰位姿相同：机器人没有移动。请将标准球移到至少 4 个不同位置，其中两个要倾斜。</translation>
     </message>
     <message>
         <source>All {0} touches are at the same flange pose. Keep the tip in the cone and tilt the flange by 20 deg or more about different axes.</source>
-        <translation>全部 {0} 次触测的法兰位姿相同。请让针尖保持在锥窝内，绕不同的轴将法兰倾斜 20 deg 或更多。</translation>
+        <translation>全部{0}次触测的法兰位姿相同。请让针尖保持在锥窝内，绕不同的轴将法兰倾斜 20 deg 或更多。</translation>
     </message>
     <message>
         <source>All {0} touches are at the same place (within {1} mm): the head has not turned. Turn it as far as it goes between touches.</source>
-        <translation>全部 {0} 次触测都在同一位置（{1} mm 以内）：浮动头没有转动。请在两次触测之间把它转到最大行程。</translation>
+        <translation>全部{0}次触测都在同一位置（{1} mm 以内）：浮动头没有转动。请在两次触测之间把它转到最大行程。</translation>
     </message>
     <message>
         <source>An average needs at least two error surfaces, found {0}.</source>
-        <translation>取平均至少需要两个误差曲面，现有 {0} 个。</translation>
+        <translation>取平均至少需要两个误差曲面，现有{0}个。</translation>
     </message>
     <message>
         <source>Ball diameter: expected a positive number of mm, found {0}.</source>
-        <translation>标准球直径：应为正数（mm），现为 {0}。</translation>
+        <translation>标准球直径：应为正数（mm），现为{0}。</translation>
     </message>
     <message>
         <source>CAD model</source>
@@ -2020,7 +2028,7 @@
     </message>
     <message>
         <source>Error surface: degrees {0}, expected {1}.</source>
-        <translation>误差曲面：次数为 {0}，应为 {1}。</translation>
+        <translation>误差曲面：次数为{0}，应为{1}。</translation>
     </message>
     <message>
         <source>Error surface: fewer than four samples are marked as used.</source>
@@ -2028,19 +2036,19 @@
     </message>
     <message>
         <source>Error surface: info is {0}, expected an object. Write the file again.</source>
-        <translation>误差曲面：info 为 {0}，应为一个对象。请重新写出文件。</translation>
+        <translation>误差曲面：info 为{0}，应为一个对象。请重新写出文件。</translation>
     </message>
     <message>
         <source>Error surface: its control points do not give its own sample at u {0}, v {1} (off by {2} mm). The file was changed: write it again.</source>
-        <translation>误差曲面：其控制点给不出它自己在 u {0}、v {1} 处的样本（相差 {2} mm）。文件被改动过：请重新写出。</translation>
+        <translation>误差曲面：其控制点给不出它自己在 u {0}、v {1}处的样本（相差{2} mm）。文件被改动过：请重新写出。</translation>
     </message>
     <message>
         <source>Error surface: reach_steps is {0}, expected a number above 0.</source>
-        <translation>误差曲面：reach_steps 为 {0}，应为大于 0 的数。</translation>
+        <translation>误差曲面：reach_steps 为{0}，应为大于 0 的数。</translation>
     </message>
     <message>
         <source>Error surface: the field {0} is missing. Write the file again.</source>
-        <translation>误差曲面：缺少字段 {0}。请重新写出文件。</translation>
+        <translation>误差曲面：缺少字段{0}。请重新写出文件。</translation>
     </message>
     <message>
         <source>Error surface: the knots must be finite and must not fall.</source>
@@ -2052,31 +2060,31 @@
     </message>
     <message>
         <source>Error surface: {0} control points, the knots ask for {1}.</source>
-        <translation>误差曲面：有 {0} 个控制点，而节点要求 {1} 个。</translation>
+        <translation>误差曲面：有{0}个控制点，而节点要求{1}个。</translation>
     </message>
     <message>
         <source>Faces with fewer than {0} points: {1}. Scan them from another side, or take them off the list.</source>
-        <translation>点数少于 {0} 的面：{1}。请从另一侧扫描它们，或将它们从列表中去掉。</translation>
+        <translation>点数少于{0}的面：{1}。请从另一侧扫描它们，或将它们从列表中去掉。</translation>
     </message>
     <message>
         <source>Found {0} different flange poses, at least {1} are needed, 6 or more are better. Keep the tip in the cone and tilt the flange further.</source>
-        <translation>找到 {0} 个不同的法兰位姿，至少需要 {1} 个，6 个或更多更好。请让针尖保持在锥窝内，并加大法兰的倾斜。</translation>
+        <translation>找到{0}个不同的法兰位姿，至少需要{1}个，6 个或更多更好。请让针尖保持在锥窝内，并加大法兰的倾斜。</translation>
     </message>
     <message>
         <source>Found {0} different flange poses{1}, at least {2} are needed, 6 or more are better. Add poses with the flange tilted by 5 deg or more.</source>
-        <translation>找到 {0} 个不同的法兰位姿{1}，至少需要 {2} 个，6 个或更多更好。请增加法兰倾斜 5 deg 或更多的位姿。</translation>
+        <translation>找到{0}个不同的法兰位姿{1}，至少需要{2}个，6 个或更多更好。请增加法兰倾斜 5 deg 或更多的位姿。</translation>
     </message>
     <message>
         <source>Found {0} pairs; a pose needs at least 3 that don&apos;t lie on a line. Pick 5 or more.</source>
-        <translation>找到 {0} 个点对；确定位姿至少需要 3 个不共线的点对。请选取 5 个或更多。</translation>
+        <translation>找到{0}个点对；确定位姿至少需要 3 个不共线的点对。请选取 5 个或更多。</translation>
     </message>
     <message>
         <source>Found {0} touches at different places, at least {1} are needed, 5 or more are better. Touch the shaft at more head angles.</source>
-        <translation>找到 {0} 个不同位置的触测，至少需要 {1} 个，5 个或更多更好。请在更多浮动头角度下触测轮轴。</translation>
+        <translation>找到{0}个不同位置的触测，至少需要{1}个，5 个或更多更好。请在更多浮动头角度下触测轮轴。</translation>
     </message>
     <message>
         <source>Give exactly one of count, spacing_mm and positions, found {0}.</source>
-        <translation>count、spacing_mm 和 positions 必须且只能给出一个，现有 {0}。</translation>
+        <translation>count、spacing_mm 和 positions 必须且只能给出一个，现有{0}。</translation>
     </message>
     <message>
         <source>Give the known radius or turn the head farther.</source>
@@ -2092,7 +2100,7 @@
     </message>
     <message>
         <source>Is {0} meant?</source>
-        <translation>是否指 {0}？</translation>
+        <translation>是否指{0}？</translation>
     </message>
     <message>
         <source>It has slipped in its clamp, or robot or stage have moved: fasten it and begin again with the rough step.</source>
@@ -2144,11 +2152,11 @@
     </message>
     <message>
         <source>No ball of diameter {0} mm was found in the scan</source>
-        <translation>扫描中没有找到直径 {0} mm 的标准球</translation>
+        <translation>扫描中没有找到直径{0} mm 的标准球</translation>
     </message>
     <message>
         <source>No ball of {0} to {1} mm diameter was found in the scan (planes, cylinders and scattered points do not count, nor a cap too flat to tell from a plane). Aim at the ball, or give its certified diameter with --diameter and --fix-diameter.</source>
-        <translation>扫描中没有找到直径 {0} 到 {1} mm 的球（平面、圆柱和散乱点不算，平到无法与平面区分的球冠也不算）。请对准标准球，或用 --diameter 和 --fix-diameter 给出其证书直径。</translation>
+        <translation>扫描中没有找到直径{0}到{1} mm 的球（平面、圆柱和散乱点不算，平到无法与平面区分的球冠也不算）。请对准标准球，或用 --diameter 和 --fix-diameter 给出其证书直径。</translation>
     </message>
     <message>
         <source>No line of the airfoil has been probed on grinder {0}. Probe it first.</source>
@@ -2172,7 +2180,7 @@
     </message>
     <message>
         <source>None of the {0} faces can be used for registration; each says why. Export the solid with exact faces.</source>
-        <translation>{0} 个面中没有一个可用于配准；每个面都说明了原因。请以精确曲面导出实体。</translation>
+        <translation>{0}个面中没有一个可用于配准；每个面都说明了原因。请以精确曲面导出实体。</translation>
     </message>
     <message>
         <source>Not enough points on chosen faces ({0}). Scan these faces too, or leave them out of the list.</source>
@@ -2184,35 +2192,35 @@
     </message>
     <message>
         <source>Only {0} % of the ball&apos;s surface was seen, {1} % are asked. Turn the ball&apos;s free side to the scanner.</source>
-        <translation>只看到标准球表面的 {0} %，要求 {1} %。请把标准球无遮挡的一侧转向扫描仪。</translation>
+        <translation>只看到标准球表面的{0} %，要求{1} %。请把标准球无遮挡的一侧转向扫描仪。</translation>
     </message>
     <message>
         <source>Only {0} % of the points lie on the ball, {1} % are asked. Cut away the surroundings or scan the ball closer.</source>
-        <translation>只有 {0} % 的点位于标准球上，要求 {1} %。请切除周围部分，或靠近扫描标准球。</translation>
+        <translation>只有{0} % 的点位于标准球上，要求{1} %。请切除周围部分，或靠近扫描标准球。</translation>
     </message>
     <message>
         <source>Only {0} faces have points, at least {1} are needed. Scan more faces of the blade.</source>
-        <translation>只有 {0} 个面有点，至少需要 {1} 个。请扫描叶片的更多面。</translation>
+        <translation>只有{0}个面有点，至少需要{1}个。请扫描叶片的更多面。</translation>
     </message>
     <message>
         <source>Only {0} new samples lie where the old error surface was measured, {1} are needed to tell whether it still fits.</source>
-        <translation>只有 {0} 个新样本位于旧误差曲面的测量范围内，需要 {1} 个才能判断它是否仍然适用。</translation>
+        <translation>只有{0}个新样本位于旧误差曲面的测量范围内，需要{1}个才能判断它是否仍然适用。</translation>
     </message>
     <message>
         <source>Only {0} of the points near the faces lie on them, at least {1} are expected. Look for dirt, clamps close to the faces, or another blade type.</source>
-        <translation>各面附近的点中只有 {0} 落在面上，至少应为 {1}。请检查是否有污物、靠近各面的夹具，或是另一种叶片型号。</translation>
+        <translation>各面附近的点中只有{0}落在面上，至少应为{1}。请检查是否有污物、靠近各面的夹具，或是另一种叶片型号。</translation>
     </message>
     <message>
         <source>Only {0} places of the scan are flat enough to tell a direction, at least 100 are needed. Scan edge plate and shroud with more points.</source>
-        <translation>扫描中只有 {0} 处足够平，可以判断方向，至少需要 100 处。请用更多的点扫描缘板和叶冠。</translation>
+        <translation>扫描中只有{0}处足够平，可以判断方向，至少需要 100 处。请用更多的点扫描缘板和叶冠。</translation>
     </message>
     <message>
         <source>Only {0} points lie on the ball, {1} are asked. Scan it closer.</source>
-        <translation>只有 {0} 个点位于标准球上，要求 {1} 个。请靠近扫描。</translation>
+        <translation>只有{0}个点位于标准球上，要求{1}个。请靠近扫描。</translation>
     </message>
     <message>
         <source>Only {0} scan points lie on the chosen faces, at least {1} are needed. Scan more of the blade, or check that start and STEP file belong to this scan.</source>
-        <translation>只有 {0} 个扫描点位于所选面上，至少需要 {1} 个。请扫描叶片的更多部分，或检查初值和 STEP 文件是否属于该扫描。</translation>
+        <translation>只有{0}个扫描点位于所选面上，至少需要{1}个。请扫描叶片的更多部分，或检查初值和 STEP 文件是否属于该扫描。</translation>
     </message>
     <message>
         <source>PCD ascii</source>
@@ -2240,7 +2248,7 @@
     </message>
     <message>
         <source>Pair &apos;{0}&apos; is {1} mm off where the other pairs agree within {2} mm: pick it again.</source>
-        <translation>点对“{0}”偏差 {1} mm，而其他点对在 {2} mm 以内一致：请重新选取它。</translation>
+        <translation>点对“{0}”偏差{1} mm，而其他点对在{2} mm 以内一致：请重新选取它。</translation>
     </message>
     <message>
         <source>Pairs &apos;{0}&apos; and &apos;{1}&apos; are the same pick entered twice. Remove one of them.</source>
@@ -2256,11 +2264,11 @@
     </message>
     <message>
         <source>Pose {0} of {1}: flange {2} = {3} mm is {4} the workspace limit {5} mm. Change the pattern or where the blade is presented.</source>
-        <translation>位姿 {0}/{1}：法兰 {2} = {3} mm，{4}工作空间限值 {5} mm。请更改走刀方式或叶片的送检位置。</translation>
+        <translation>位姿{0}/{1}：法兰{2} = {3} mm，{4}工作空间限值{5} mm。请更改走刀方式或叶片的送检位置。</translation>
     </message>
     <message>
         <source>Pose {0} of {1}: the flange is {2} mm from the base, the reach is {3} mm.</source>
-        <translation>位姿 {0}/{1}：法兰距基座 {2} mm，可达范围为 {3} mm。</translation>
+        <translation>位姿{0}/{1}：法兰距基座{2} mm，可达范围为{3} mm。</translation>
     </message>
     <message>
         <source>Probe a finer grid, and see that the head moves freely.</source>
@@ -2276,7 +2284,7 @@
     </message>
     <message>
         <source>RMS on the faces {0} µm, {1} points</source>
-        <translation>面上 RMS {0} µm，{1} 个点</translation>
+        <translation>面上 RMS {0} µm，{1}个点</translation>
     </message>
     <message>
         <source>Registration measures on planes and cylinders; this face is a cone.</source>
@@ -2316,19 +2324,19 @@
     </message>
     <message>
         <source>Sample {0} was deleted. Undo the deletion first.</source>
-        <translation>样本 {0} 已被删除。请先撤销删除。</translation>
+        <translation>样本{0}已被删除。请先撤销删除。</translation>
     </message>
     <message>
         <source>Sample {0}: (u {1}, v {2}) is outside the airfoil&apos;s domain u {3} to {4}, v {5} to {6} ({7} such samples). Check that u and v are not swapped.</source>
-        <translation>样本 {0}：(u {1}, v {2}) 超出叶身参数域 u {3} 到 {4}、v {5} 到 {6}（这样的样本有 {7} 个）。请检查 u 和 v 是否互换。</translation>
+        <translation>样本{0}：(u {1}, v {2}) 超出叶身参数域 u {3}到{4}、v {5}到{6}（这样的样本有{7}个）。请检查 u 和 v 是否互换。</translation>
     </message>
     <message>
         <source>Sample {0}: u, v or error_mm is not a number ({1} samples).</source>
-        <translation>样本 {0}：u、v 或 error_mm 不是数字（{1} 个样本）。</translation>
+        <translation>样本{0}：u、v 或 error_mm 不是数字（{1}个样本）。</translation>
     </message>
     <message>
         <source>Samples lie on {0} lines of u and {1} lines of v; a cubic surface needs at least 4 of each. Measure a wider grid.</source>
-        <translation>样本位于 {0} 条 u 线和 {1} 条 v 线上；三次曲面各至少需要 4 条。请测量更宽的网格。</translation>
+        <translation>样本位于{0}条 u 线和{1}条 v 线上；三次曲面各至少需要 4 条。请测量更宽的网格。</translation>
     </message>
     <message>
         <source>Scan &apos;{0}&apos;: {1}</source>
@@ -2356,11 +2364,11 @@
     </message>
     <message>
         <source>Scan of the ball: expected points of shape (N, 3), found {0}.</source>
-        <translation>标准球扫描：点的形状应为 (N, 3)，现为 {0}。</translation>
+        <translation>标准球扫描：点的形状应为 (N, 3)，现为{0}。</translation>
     </message>
     <message>
         <source>Scan of the ball: found {0} points, at least {1} are needed. Scan the ball again.</source>
-        <translation>标准球扫描：找到 {0} 个点，至少需要 {1} 个。请重新扫描标准球。</translation>
+        <translation>标准球扫描：找到{0}个点，至少需要{1}个。请重新扫描标准球。</translation>
     </message>
     <message>
         <source>Scan of the ball: the points lie in one plane, no ball can be found. Aim the scanner at the ball.</source>
@@ -2372,15 +2380,15 @@
     </message>
     <message>
         <source>Scan of the ball: the whole cloud is only {0} wide where mm are expected. It looks like metres: multiply by 1000 or export in mm.</source>
-        <translation>标准球扫描：整个点云只有 {0} 宽，而单位应为 mm。看起来单位是米：请乘以 1000 或以 mm 导出。</translation>
+        <translation>标准球扫描：整个点云只有{0}宽，而单位应为 mm。看起来单位是米：请乘以 1000 或以 mm 导出。</translation>
     </message>
     <message>
         <source>Scan of the ball: {0} of {1} points are NaN or infinite. Drop points without a measurement.</source>
-        <translation>标准球扫描：{1} 个点中有 {0} 个为 NaN 或无穷大。请去掉没有测量值的点。</translation>
+        <translation>标准球扫描：{1}个点中有{0}个为 NaN 或无穷大。请去掉没有测量值的点。</translation>
     </message>
     <message>
         <source>Scanner noise: expected a positive sigma in mm, found {0}.</source>
-        <translation>扫描仪噪声：应为正的 sigma（mm），现为 {0}。</translation>
+        <translation>扫描仪噪声：应为正的 sigma（mm），现为{0}。</translation>
     </message>
     <message>
         <source>Scatter of the stage in it, each coordinate</source>
@@ -2388,7 +2396,7 @@
     </message>
     <message>
         <source>Seen from the start, no scan points lie near the model, and the start&apos;s translation is only {0} mm long: it seems to be in metres. Give it in mm.</source>
-        <translation>从初值看，模型附近没有扫描点，而初值的平移只有 {0} mm 长：其单位似乎是米。请用 mm 给出。</translation>
+        <translation>从初值看，模型附近没有扫描点，而初值的平移只有{0} mm 长：其单位似乎是米。请用 mm 给出。</translation>
     </message>
     <message>
         <source>Seen from the start, no scan points lie on the chosen faces: {0}. Check that scan, start and STEP file belong together, or redo the rough step.</source>
@@ -2396,11 +2404,11 @@
     </message>
     <message>
         <source>Stage observation {0}: contains NaN or infinite numbers.</source>
-        <translation>位移台观测 {0}：含有 NaN 或无穷大。</translation>
+        <translation>位移台观测{0}：含有 NaN 或无穷大。</translation>
     </message>
     <message>
         <source>Stage observation {0}: the rotary angle is {1} where rad are expected (more than two turns). It looks like degrees.</source>
-        <translation>位移台观测 {0}：旋转角为 {1}，而单位应为 rad（超过两圈）。看起来单位是度。</translation>
+        <translation>位移台观测{0}：旋转角为{1}，而单位应为 rad（超过两圈）。看起来单位是度。</translation>
     </message>
     <message>
         <source>Stage observations: expected one positive sigma in mm for each observation.</source>
@@ -2408,11 +2416,11 @@
     </message>
     <message>
         <source>Stage observations: expected positions (N, 3), angles (N,) and balls (N, 3), found {0}, {1} and {2}.</source>
-        <translation>位移台观测：应为位置 (N, 3)、角度 (N,) 和球心 (N, 3)，现为 {0}、{1} 和 {2}。</translation>
+        <translation>位移台观测：应为位置 (N, 3)、角度 (N,) 和球心 (N, 3)，现为{0}、{1}和{2}。</translation>
     </message>
     <message>
         <source>Stage observations: the stage moved over {0} and the ball centres over {1}, both expected in mm and about equal. The {2} look like metres.</source>
-        <translation>位移台观测：位移台移动范围为 {0}，球心移动范围为 {1}，两者单位都应为 mm 且大致相等。{2}看起来单位是米。</translation>
+        <translation>位移台观测：位移台移动范围为{0}，球心移动范围为{1}，两者单位都应为 mm 且大致相等。{2}看起来单位是米。</translation>
     </message>
     <message>
         <source>Stage observations: there are none.</source>
@@ -2424,11 +2432,11 @@
     </message>
     <message>
         <source>Stage: axis {0} was not moved, its direction is unknown. Add a scan of the ball with axis {1} moved.</source>
-        <translation>位移台：轴 {0} 没有移动，其方向未知。请增加一次移动轴 {1} 后的标准球扫描。</translation>
+        <translation>位移台：轴{0}没有移动，其方向未知。请增加一次移动轴{1}后的标准球扫描。</translation>
     </message>
     <message>
         <source>Stage: found {0} ball observations, at least {1} are needed for the axes that were moved ({2}). Add positions.</source>
-        <translation>位移台：找到 {0} 个标准球观测，移动过的轴（{2}）至少需要 {1} 个。请增加位置。</translation>
+        <translation>位移台：找到{0}个标准球观测，移动过的轴（{2}）至少需要{1}个。请增加位置。</translation>
     </message>
     <message>
         <source>Stage: it stood still in all observations. Move axes x and y (and z) between the scans of the ball.</source>
@@ -2436,11 +2444,11 @@
     </message>
     <message>
         <source>Stage: the axes {0} were only moved together (their positions lie on one line or plane), so that their directions cannot be told apart. Add positions where each moves alone.</source>
-        <translation>位移台：轴 {0} 只是一起移动过（其位置在一条直线或一个平面上），因此无法区分它们的方向。请增加各轴单独移动的位置。</translation>
+        <translation>位移台：轴{0}只是一起移动过（其位置在一条直线或一个平面上），因此无法区分它们的方向。请增加各轴单独移动的位置。</translation>
     </message>
     <message>
         <source>Stage: the positions do not determine the axes {0}.{1} Add positions.</source>
-        <translation>位移台：这些位置不能确定轴 {0}。{1}请增加位置。</translation>
+        <translation>位移台：这些位置不能确定轴{0}。{1}请增加位置。</translation>
     </message>
     <message>
         <source>Stylus in the cone</source>
@@ -2480,7 +2488,7 @@
     </message>
     <message>
         <source>The ball centres lie on one line, along {0} in the measuring frame: the rotation about that line is free. Add poses to the side of it.</source>
-        <translation>各球心在测量坐标系中位于沿 {0} 的一条直线上：绕该直线的旋转没有约束。请在其侧面增加位姿。</translation>
+        <translation>各球心在测量坐标系中位于沿{0}的一条直线上：绕该直线的旋转没有约束。请在其侧面增加位姿。</translation>
     </message>
     <message>
         <source>The ball coordinates look mirrored (left-handed): with one axis reversed they fit. Check the signs of the scanner&apos;s and the stage&apos;s axes.</source>
@@ -2488,7 +2496,7 @@
     </message>
     <message>
         <source>The ball hardly moved in the measuring frame ({0} mm in all): the rotation of that frame is free. Move the ball by 50 mm or more between poses.</source>
-        <translation>标准球在测量坐标系中几乎没有移动（总共 {0} mm）：该坐标系的旋转没有约束。请在各位姿之间将标准球移动 50 mm 或更多。</translation>
+        <translation>标准球在测量坐标系中几乎没有移动（总共{0} mm）：该坐标系的旋转没有约束。请在各位姿之间将标准球移动 50 mm 或更多。</translation>
     </message>
     <message>
         <source>The ball may have moved on the flange, or the robot&apos;s mastering is off: check both.</source>
@@ -2508,7 +2516,7 @@
     </message>
     <message>
         <source>The base fit did not settle in {0} steps (last change {1} mm). Add poses tilted about other axes.</source>
-        <translation>基坐标系拟合在 {0} 步内没有稳定（最后一次变化 {1} mm）。请增加绕其他轴倾斜的位姿。</translation>
+        <translation>基坐标系拟合在{0}步内没有稳定（最后一次变化{1} mm）。请增加绕其他轴倾斜的位姿。</translation>
     </message>
     <message>
         <source>The blade as it is clamped for probing is not accepted: {0} Check the clamp and acquire again: the blade is clamped and scanned anew. The robot has not presented it to the wheel of grinder {1}.</source>
@@ -2544,11 +2552,11 @@
     </message>
     <message>
         <source>The cap seen is too small to determine the ball&apos;s diameter ({0} mm with a sigma of {1} mm). Scan more of the ball, or give its certified diameter with --diameter and --fix-diameter.</source>
-        <translation>看到的球冠太小，无法确定标准球直径（{0} mm，sigma 为 {1} mm）。请扫描标准球的更大部分，或用 --diameter 和 --fix-diameter 给出其证书直径。</translation>
+        <translation>看到的球冠太小，无法确定标准球直径（{0} mm，sigma 为{1} mm）。请扫描标准球的更大部分，或用 --diameter 和 --fix-diameter 给出其证书直径。</translation>
     </message>
     <message>
         <source>The cell has no grinder {0}. Choose one of {1}.</source>
-        <translation>单元中没有{0}砂带磨床。请从 {1} 中选择。</translation>
+        <translation>单元中没有{0}砂带磨床。请从{1}中选择。</translation>
     </message>
     <message>
         <source>The closing scan &apos;{0}&apos; is left out, so a ball that moved between the scans might not show. Take it in again, or delete it and scan again.</source>
@@ -2628,31 +2636,31 @@
     </message>
     <message>
         <source>The faces with points ({0}) leave the blade free to move: {1} in the CAD frame (condition {2}, at most {3}).</source>
-        <translation>有点的面（{0}）使叶片仍可自由移动：CAD 坐标系中的{1}（条件数 {2}，最大 {3}）。</translation>
+        <translation>有点的面（{0}）使叶片仍可自由移动：CAD 坐标系中的{1}（条件数{2}，最大{3}）。</translation>
     </message>
     <message>
         <source>The fine step moved the model by {0} mm away from the pose that explains the scan best (at most {1} mm is expected). Check that the blade type is {2} and scan more of edge plate and shroud.</source>
-        <translation>精定位步骤使模型偏离最能解释扫描的位姿 {0} mm（预期最多 {1} mm）。请检查叶片型号是否为 {2}，并更多地扫描缘板和叶冠。</translation>
+        <translation>精定位步骤使模型偏离最能解释扫描的位姿{0} mm（预期最多{1} mm）。请检查叶片型号是否为{2}，并更多地扫描缘板和叶冠。</translation>
     </message>
     <message>
         <source>The flange orientation changes by only {0} deg: the tip cannot be told from the pivot. Tilt the flange by 20 deg or more about different axes.</source>
-        <translation>法兰姿态只变化了 {0} deg：无法区分针尖与枢轴点。请绕不同的轴将法兰倾斜 20 deg 或更多。</translation>
+        <translation>法兰姿态只变化了{0} deg：无法区分针尖与枢轴点。请绕不同的轴将法兰倾斜 20 deg 或更多。</translation>
     </message>
     <message>
         <source>The flange orientation never changes (largest difference {0} deg): the ball&apos;s offset on the flange and the translation of the measuring frame cannot be told apart. Add at least two poses tilted by 5 deg or more, about different axes.</source>
-        <translation>法兰姿态始终不变（最大差别 {0} deg）：无法区分标准球在法兰上的偏置与测量坐标系的平移。请至少增加两个绕不同轴倾斜 5 deg 或更多的位姿。</translation>
+        <translation>法兰姿态始终不变（最大差别{0} deg）：无法区分标准球在法兰上的偏置与测量坐标系的平移。请至少增加两个绕不同轴倾斜 5 deg 或更多的位姿。</translation>
     </message>
     <message>
         <source>The flange orientations differ by {0} deg at most, {1} deg are needed. Tilt the flange further.</source>
-        <translation>法兰姿态最多相差 {0} deg，需要 {1} deg。请加大法兰的倾斜。</translation>
+        <translation>法兰姿态最多相差{0} deg，需要{1} deg。请加大法兰的倾斜。</translation>
     </message>
     <message>
         <source>The flange poses and the ball centres do not belong together: the best fit leaves {0} mm RMS on balls spread over {1} mm.{2} Check their order and that the ball did not shift on the flange.</source>
-        <translation>法兰位姿与球心不对应：最佳拟合在分布 {1} mm 的球上仍留有 {0} mm RMS。{2}请检查它们的顺序，以及标准球是否没有在法兰上移位。</translation>
+        <translation>法兰位姿与球心不对应：最佳拟合在分布{1} mm 的球上仍留有{0} mm RMS。{2}请检查它们的顺序，以及标准球是否没有在法兰上移位。</translation>
     </message>
     <message>
         <source>The flange poses look inverted (flange_from_base): the tip comes out {0} mm from the flange and the pivot {1} mm from the base. Give base_from_flange.</source>
-        <translation>法兰位姿看起来是逆的（flange_from_base）：算出的针尖距法兰 {0} mm，枢轴点距基座 {1} mm。请给出 base_from_flange。</translation>
+        <translation>法兰位姿看起来是逆的（flange_from_base）：算出的针尖距法兰{0} mm，枢轴点距基座{1} mm。请给出 base_from_flange。</translation>
     </message>
     <message>
         <source>The flange poses look inverted (flange_from_base): their inverses fit. Give base_from_flange.</source>
@@ -2660,15 +2668,15 @@
     </message>
     <message>
         <source>The flange turns about one axis only, {0} in the flange frame (by up to {1} deg): the tip&apos;s component along it, and the pivot&apos;s along {2} in the base frame, stay free. Add touches tilted by 20 deg or more about another axis.</source>
-        <translation>法兰只绕一个轴转动，即法兰坐标系中的 {0}（最多 {1} deg）：针尖沿该轴的分量，以及枢轴点在基坐标系中沿 {2} 的分量，没有约束。请增加绕另一轴倾斜 20 deg 或更多的触测。</translation>
+        <translation>法兰只绕一个轴转动，即法兰坐标系中的{0}（最多{1} deg）：针尖沿该轴的分量，以及枢轴点在基坐标系中沿{2}的分量，没有约束。请增加绕另一轴倾斜 20 deg 或更多的触测。</translation>
     </message>
     <message>
         <source>The flange turns about one axis only, {0} in the flange frame: the ball&apos;s offset along it and the translation of the measuring frame along {1} in the base frame cannot be told apart. Add poses tilted by 5 deg or more about another axis.</source>
-        <translation>法兰只绕一个轴转动，即法兰坐标系中的 {0}：标准球沿该轴的偏置与测量坐标系在基坐标系中沿 {1} 的平移无法区分。请增加绕另一轴倾斜 5 deg 或更多的位姿。</translation>
+        <translation>法兰只绕一个轴转动，即法兰坐标系中的{0}：标准球沿该轴的偏置与测量坐标系在基坐标系中沿{1}的平移无法区分。请增加绕另一轴倾斜 5 deg 或更多的位姿。</translation>
     </message>
     <message>
         <source>The grid node u {0}, v {1} was given {2} times (errors {3} and {4} mm). Keep one sample per node or use smoothing (--smooth).</source>
-        <translation>网格节点 u {0}、v {1} 给出了 {2} 次（误差 {3} 和 {4} mm）。每个节点请只保留一个样本，或使用平滑（--smooth）。</translation>
+        <translation>网格节点 u {0}、v {1}给出了{2}次（误差{3}和{4} mm）。每个节点请只保留一个样本，或使用平滑（--smooth）。</translation>
     </message>
     <message>
         <source>The head of grinder {0} has not been read at its stop after the last line.</source>
@@ -2676,11 +2684,11 @@
     </message>
     <message>
         <source>The head of grinder {0} reads {1} degrees at its stop and read {2} degrees in the tool step: {3} mm at the wheel, the limit is {4} mm. {5}</source>
-        <translation>{0}砂带磨床的浮动头在挡块处读数为 {1} 度，工具步骤时为 {2} 度：在接触轮处为 {3} mm，限值为 {4} mm。{5}</translation>
+        <translation>{0}砂带磨床的浮动头在挡块处读数为{1}度，工具步骤时为{2}度：在接触轮处为{3} mm，限值为{4} mm。{5}</translation>
     </message>
     <message>
         <source>The head turns {0} times what its sensor says (standard deviation {1}). Check the sensor&apos;s steps per turn.</source>
-        <translation>浮动头的转角是其传感器示值的 {0} 倍（标准差 {1}）。请检查传感器每转的步数。</translation>
+        <translation>浮动头的转角是其传感器示值的{0}倍（标准差{1}）。请检查传感器每转的步数。</translation>
     </message>
     <message>
         <source>The head&apos;s axis points against the direction expected: the angle sensor counts the wrong way round. Reverse its sign.</source>
@@ -2748,51 +2756,51 @@
     </message>
     <message>
         <source>The path leaves what was measured: (u {0}, v {1}) lies {2}, which spans u {3} to {4}, v {5} to {6} ({7} points of this line). Narrow u_range and v_range, measure there, or set clip = true to leave those points out.</source>
-        <translation>路径超出测量范围：(u {0}, v {1}) 位于{2}，其范围为 u {3} 到 {4}、v {5} 到 {6}（该线上有 {7} 个点）。请缩小 u_range 和 v_range，在该处测量，或设置 clip = true 以去掉这些点。</translation>
+        <translation>路径超出测量范围：(u {0}, v {1}) 位于{2}，其范围为 u {3}到{4}、v {5}到{6}（该线上有{7}个点）。请缩小 u_range 和 v_range，在该处测量，或设置 clip = true 以去掉这些点。</translation>
     </message>
     <message>
         <source>The pattern has more than {0} points. Choose a larger step_mm or spacing_mm.</source>
-        <translation>走刀方式超过 {0} 个点。请选择更大的 step_mm 或 spacing_mm。</translation>
+        <translation>走刀方式超过{0}个点。请选择更大的 step_mm 或 spacing_mm。</translation>
     </message>
     <message>
         <source>The picks are a mirror image of each other: {0} mm RMS if one set is reflected, {1} mm if it is not. Check that left and right (or a sign) are the same on the scan and on the CAD model, and pick again.</source>
-        <translation>两组选点互为镜像：将一组反射后为 {0} mm RMS，不反射为 {1} mm。请检查扫描和 CAD 模型上的左右（或符号）是否一致，然后重新选取。</translation>
+        <translation>两组选点互为镜像：将一组反射后为{0} mm RMS，不反射为{1} mm。请检查扫描和 CAD 模型上的左右（或符号）是否一致，然后重新选取。</translation>
     </message>
     <message>
         <source>The picks {0} all lie within {1} mm of each other. Pick points that are spread over the whole blade.</source>
-        <translation>选点 {0} 彼此都在 {1} mm 以内。请选取分布在整个叶片上的点。</translation>
+        <translation>选点{0}彼此都在{1} mm 以内。请选取分布在整个叶片上的点。</translation>
     </message>
     <message>
         <source>The picks {0} lie on a line along ({1}): {2} mm RMS off it over a length of {3} mm, so the rotation about that line is not determined. Pick at least one point well off the line.</source>
-        <translation>选点 {0} 位于沿 ({1}) 的一条直线上：在 {3} mm 长度上偏离 {2} mm RMS，因此绕该直线的旋转无法确定。请至少选取一个明显偏离该直线的点。</translation>
+        <translation>选点{0}位于沿 ({1}) 的一条直线上：在{3} mm 长度上偏离{2} mm RMS，因此绕该直线的旋转无法确定。请至少选取一个明显偏离该直线的点。</translation>
     </message>
     <message>
         <source>The picks {0} look like {1}: distances between them are {2} times smaller there than in the other set. Give both in mm.</source>
-        <translation>选点 {0} 的单位看起来是{1}：其点间距离比另一组小 {2} 倍。两者都请用 mm 给出。</translation>
+        <translation>选点{0}的单位看起来是{1}：其点间距离比另一组小{2}倍。两者都请用 mm 给出。</translation>
     </message>
     <message>
         <source>The points on {0} hold the blade too loosely: one sigma of {1} mm at an end of the model, at most {2} mm. Weakest: {3} in the CAD frame. Scan more points or more faces.</source>
-        <translation>{0}上的点对叶片约束太松：模型一端的 sigma 为 {1} mm，最大 {2} mm。最弱：CAD 坐标系中的{3}。请扫描更多的点或更多的面。</translation>
+        <translation>{0}上的点对叶片约束太松：模型一端的 sigma 为{1} mm，最大{2} mm。最弱：CAD 坐标系中的{3}。请扫描更多的点或更多的面。</translation>
     </message>
     <message>
         <source>The pose found carries the model by up to {0} mm from the start, at most {1} mm is trusted: another pose may fit as well. Redo the rough step, or check the start.</source>
-        <translation>找到的位姿使模型偏离初值达 {0} mm，最多信任 {1} mm：另一个位姿可能同样吻合。请重做粗定位步骤，或检查初值。</translation>
+        <translation>找到的位姿使模型偏离初值达{0} mm，最多信任{1} mm：另一个位姿可能同样吻合。请重做粗定位步骤，或检查初值。</translation>
     </message>
     <message>
         <source>The pose has not settled after {0} passes (last step {1} µm, {2} µrad). The faces seen hold it too loosely or contradict each other; scan more faces.</source>
-        <translation>位姿在 {0} 轮后没有稳定（最后一步 {1} µm、{2} µrad）。看到的面约束太松或互相矛盾；请扫描更多的面。</translation>
+        <translation>位姿在{0}轮后没有稳定（最后一步{1} µm、{2} µrad）。看到的面约束太松或互相矛盾；请扫描更多的面。</translation>
     </message>
     <message>
         <source>The poses do not determine the measuring frame: standard deviation {0} deg and {1} mm with this noise. Weakest: {2}. Add poses that move the ball to the sides and tilt the flange more.</source>
-        <translation>这些位姿不能确定测量坐标系：在此噪声下标准差为 {0} deg 和 {1} mm。最弱：{2}。请增加把标准球移到两侧并加大法兰倾斜的位姿。</translation>
+        <translation>这些位姿不能确定测量坐标系：在此噪声下标准差为{0} deg 和{1} mm。最弱：{2}。请增加把标准球移到两侧并加大法兰倾斜的位姿。</translation>
     </message>
     <message>
         <source>The poses leave something nearly free: {0} (condition {1}, usable below {2}). Add poses that move the ball by 50 mm or more and tilt the flange by 5 deg or more about different axes.</source>
-        <translation>这些位姿使某个量几乎没有约束：{0}（条件数 {1}，低于 {2} 才可用）。请增加把标准球移动 50 mm 或更多、并绕不同轴将法兰倾斜 5 deg 或更多的位姿。</translation>
+        <translation>这些位姿使某个量几乎没有约束：{0}（条件数{1}，低于{2}才可用）。请增加把标准球移动 50 mm 或更多、并绕不同轴将法兰倾斜 5 deg 或更多的位姿。</translation>
     </message>
     <message>
         <source>The radius given is {0} mm, the touches say {1} mm (standard deviation {2} mm). Check the radius and the angle sensor&apos;s scale.</source>
-        <translation>给出的半径为 {0} mm，触测所得为 {1} mm（标准差 {2} mm）。请检查半径和角度传感器的比例系数。</translation>
+        <translation>给出的半径为{0} mm，触测所得为{1} mm（标准差{2} mm）。请检查半径和角度传感器的比例系数。</translation>
     </message>
     <message>
         <source>The range along which the lines run has no length.</source>
@@ -2800,7 +2808,7 @@
     </message>
     <message>
         <source>The robot moved by {0} mm between the scans &apos;{1}&apos; and &apos;{2}&apos;; all scans of one blade must be taken in the same robot pose. Scan again.</source>
-        <translation>机器人在扫描“{1}”和“{2}”之间移动了 {0} mm；一个叶片的所有扫描必须在同一机器人位姿下采集。请重新扫描。</translation>
+        <translation>机器人在扫描“{1}”和“{2}”之间移动了{0} mm；一个叶片的所有扫描必须在同一机器人位姿下采集。请重新扫描。</translation>
     </message>
     <message>
         <source>The robot moves {0}.</source>
@@ -2812,7 +2820,7 @@
     </message>
     <message>
         <source>The rotary axis stands at {0} rad but was calibrated at {1} rad only. Turn it back, or calibrate with the rotary axis moved.</source>
-        <translation>旋转轴停在 {0} rad，但只在 {1} rad 处标定过。请将其转回，或在旋转轴转动的情况下标定。</translation>
+        <translation>旋转轴停在{0} rad，但只在{1} rad 处标定过。请将其转回，或在旋转轴转动的情况下标定。</translation>
     </message>
     <message>
         <source>The rotations of the flange poses look transposed: their transposes fit. Check the order of the matrix.</source>
@@ -2820,7 +2828,7 @@
     </message>
     <message>
         <source>The sample at u {0}, v {1} is {2} mm off its neighbours (limit {3} mm; {4} samples beyond it, neighbours of bad ones among them). Interpolation would go through it.</source>
-        <translation>u {0}、v {1} 处的样本与相邻样本相差 {2} mm（限值 {3} mm；超出的样本有 {4} 个，其中包括坏样本的相邻样本）。插值会穿过它。</translation>
+        <translation>u {0}、v {1}处的样本与相邻样本相差{2} mm（限值{3} mm；超出的样本有{4}个，其中包括坏样本的相邻样本）。插值会穿过它。</translation>
     </message>
     <message>
         <source>The samples lie on one line of the airfoil; a surface needs samples that spread in u and in v. Measure several lines.</source>
@@ -2832,63 +2840,63 @@
     </message>
     <message>
         <source>The scale error of axis {0} ({1} mm per mm)</source>
-        <translation>轴 {0} 的比例误差（{1} mm/mm）</translation>
+        <translation>轴{0}的比例误差（{1} mm/mm）</translation>
     </message>
     <message>
         <source>The scan does not fit the model: of {0} points within 2 mm of its faces only {1} lie on them, at least {2} are expected. Is it the right blade type, and is the start within a few mm and degrees?</source>
-        <translation>扫描与模型不符：距模型各面 2 mm 以内的 {0} 个点中只有 {1} 落在面上，至少应为 {2}。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
+        <translation>扫描与模型不符：距模型各面 2 mm 以内的{0}个点中只有{1}落在面上，至少应为{2}。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
     </message>
     <message>
         <source>The scan does not fit the model: points scatter by {0} mm about its faces, at most {1} mm is scanner noise. Is it the right blade type, and is the start within a few mm and degrees?</source>
-        <translation>扫描与模型不符：点在模型各面附近离散 {0} mm，扫描仪噪声最多为 {1} mm。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
+        <translation>扫描与模型不符：点在模型各面附近离散{0} mm，扫描仪噪声最多为{1} mm。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
     </message>
     <message>
         <source>The scan does not fit the model: {0} of its faces agree with the scan, {1} contradict it, and {2} of the surface scanned near the faces lies on them (at least {3} is usual). Is it the right blade type, and is the start within a few mm and degrees?</source>
-        <translation>扫描与模型不符：有 {0} 个面与扫描一致，{1} 个面与之矛盾，各面附近扫描到的表面有 {2} 落在面上（通常至少 {3}）。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
+        <translation>扫描与模型不符：有{0}个面与扫描一致，{1}个面与之矛盾，各面附近扫描到的表面有{2}落在面上（通常至少{3}）。叶片型号是否正确？初值是否在几 mm 和几度以内？</translation>
     </message>
     <message>
         <source>The scan does not fit {0}: in the best pose {1} of the points near the model lie on it ({2} is needed), and of those parallel to its faces {3} ({4} is needed). Check the blade type.</source>
-        <translation>扫描与{0}不符：在最佳位姿下，模型附近的点有 {1} 落在模型上（需要 {2}），与其各面平行的点有 {3}（需要 {4}）。请检查叶片型号。</translation>
+        <translation>扫描与{0}不符：在最佳位姿下，模型附近的点有{1}落在模型上（需要{2}），与其各面平行的点有{3}（需要{4}）。请检查叶片型号。</translation>
     </message>
     <message>
         <source>The scan fits {0} in two ways ({1}), {2} degrees and up to {3} mm apart. Scan an area that tells them apart too, such as the airfoil next to the edge plate, or pick pairs of points.</source>
-        <translation>扫描与{0}有两种吻合方式（{1}），彼此相差 {2} 度、最多 {3} mm。请再扫描一块能区分两者的区域，例如缘板旁边的叶身，或选取点对。</translation>
+        <translation>扫描与{0}有两种吻合方式（{1}），彼此相差{2}度、最多{3} mm。请再扫描一块能区分两者的区域，例如缘板旁边的叶身，或选取点对。</translation>
     </message>
     <message>
         <source>The scan has {0} points, at least 500 are needed to find the blade in it.</source>
-        <translation>扫描有 {0} 个点，要在其中找到叶片至少需要 500 个。</translation>
+        <translation>扫描有{0}个点，要在其中找到叶片至少需要 500 个。</translation>
     </message>
     <message>
         <source>The scan has {0} points, at least {1} are needed.</source>
-        <translation>扫描有 {0} 个点，至少需要 {1} 个。</translation>
+        <translation>扫描有{0}个点，至少需要{1}个。</translation>
     </message>
     <message>
         <source>The scan is only {0} mm across, the model {1} mm. Give a scan in mm that covers several faces.</source>
-        <translation>扫描只有 {0} mm 宽，模型为 {1} mm。请给出以 mm 为单位、覆盖多个面的扫描。</translation>
+        <translation>扫描只有{0} mm 宽，模型为{1} mm。请给出以 mm 为单位、覆盖多个面的扫描。</translation>
     </message>
     <message>
         <source>The scan is {0} mm across and {1} {2} mm. Give both in mm.</source>
-        <translation>扫描宽 {0} mm，{1}为 {2} mm。两者都请用 mm 给出。</translation>
+        <translation>扫描宽{0} mm，{1}为{2} mm。两者都请用 mm 给出。</translation>
     </message>
     <message>
         <source>The scan is {0} mm across and {1} {2} mm.{3} Give the scan in mm, and edge plate and shroud together.</source>
-        <translation>扫描宽 {0} mm，{1}为 {2} mm。{3}请以 mm 给出扫描，并同时包含缘板和叶冠。</translation>
+        <translation>扫描宽{0} mm，{1}为{2} mm。{3}请以 mm 给出扫描，并同时包含缘板和叶冠。</translation>
     </message>
     <message>
         <source>The scan is {0} mm across, the model {1} mm: one of them has the wrong unit. Give both in mm.</source>
-        <translation>扫描宽 {0} mm，模型宽 {1} mm：其中一个的单位不对。两者都请用 mm 给出。</translation>
+        <translation>扫描宽{0} mm，模型宽{1} mm：其中一个的单位不对。两者都请用 mm 给出。</translation>
     </message>
     <message>
         <source>The scan is {0} mm across, the model {1} mm: the scan seems to be in metres. Give it in mm.</source>
-        <translation>扫描宽 {0} mm，模型宽 {1} mm：扫描的单位似乎是米。请用 mm 给出。</translation>
+        <translation>扫描宽{0} mm，模型宽{1} mm：扫描的单位似乎是米。请用 mm 给出。</translation>
     </message>
     <message>
         <source>The scanner&apos;s stride must be 1 or more, found {0}.</source>
-        <translation>扫描仪的步长必须为 1 或更大，现为 {0}。</translation>
+        <translation>扫描仪的步长必须为 1 或更大，现为{0}。</translation>
     </message>
     <message>
         <source>The session has no sample {0}.</source>
-        <translation>会话中没有样本 {0}。</translation>
+        <translation>会话中没有样本{0}。</translation>
     </message>
     <message>
         <source>The set of rejected samples does not settle: good and bad samples cannot be told apart. Measure the airfoil again.</source>
@@ -2904,7 +2912,7 @@
     </message>
     <message>
         <source>The speed of a clock must be positive, found {0}.</source>
-        <translation>时钟速度必须为正，现为 {0}。</translation>
+        <translation>时钟速度必须为正，现为{0}。</translation>
     </message>
     <message>
         <source>The sphere fit was still moving. Scan the ball again.</source>
@@ -2972,11 +2980,11 @@
     </message>
     <message>
         <source>The touches do not determine the head&apos;s axis: over an arc of {0} deg its direction is known to {1} deg and its place to {2} mm (one standard deviation) with {3} mm of touch noise. {4}</source>
-        <translation>这些触测不能确定浮动头的轴：在 {0} deg 的弧段上，触测噪声为 {3} mm 时，其方向只能确定到 {1} deg，位置只能确定到 {2} mm（一倍标准差）。{4}</translation>
+        <translation>这些触测不能确定浮动头的轴：在{0} deg 的弧段上，触测噪声为{3} mm 时，其方向只能确定到{1} deg，位置只能确定到{2} mm（一倍标准差）。{4}</translation>
     </message>
     <message>
         <source>The touches do not determine the tip along {0} in the flange frame: standard deviation {1} mm. Tilt the flange further about the axes across it, and check touch {2} (counted from 0) first.</source>
-        <translation>这些触测不能确定针尖在法兰坐标系中沿 {0} 的位置：标准差 {1} mm。请绕与之垂直的轴加大法兰的倾斜，并先检查触测 {2}（从 0 计）。</translation>
+        <translation>这些触测不能确定针尖在法兰坐标系中沿{0}的位置：标准差{1} mm。请绕与之垂直的轴加大法兰的倾斜，并先检查触测{2}（从 0 计）。</translation>
     </message>
     <message>
         <source>The touches lie on a straight line: no circle and no axis follows from them. Turn the head farther between touches.</source>
@@ -2984,7 +2992,7 @@
     </message>
     <message>
         <source>The touches span {0} deg; {1}. Turn the head farther or add touches.</source>
-        <translation>触测跨越 {0} deg；{1}。请把浮动头转得更大，或增加触测。</translation>
+        <translation>触测跨越{0} deg；{1}。请把浮动头转得更大，或增加触测。</translation>
     </message>
     <message>
         <source>The uncertainty (one sigma) of the position at an end of the blade</source>
@@ -3008,11 +3016,11 @@
     </message>
     <message>
         <source>The {0} is predicted with an RMS error of {1} mm at {2} observations kept out of the fit, the limit is {3} mm. {4}</source>
-        <translation>在 {2} 个留在拟合之外的观测上，{0}的预测误差 RMS 为 {1} mm，限值为 {3} mm。{4}</translation>
+        <translation>在{2}个留在拟合之外的观测上，{0}的预测误差 RMS 为{1} mm，限值为{3} mm。{4}</translation>
     </message>
     <message>
         <source>The {0} samples are not on a grid ({1} different u, {2} different v). Interpolation needs a full grid; use smoothing (--smooth) for scattered samples.</source>
-        <translation>{0} 个样本不在网格上（{1} 个不同的 u，{2} 个不同的 v）。插值需要完整网格；散乱样本请使用平滑（--smooth）。</translation>
+        <translation>{0}个样本不在网格上（{1}个不同的 u，{2}个不同的 v）。插值需要完整网格；散乱样本请使用平滑（--smooth）。</translation>
     </message>
     <message>
         <source>There are no scans of the blade. Scan it first.</source>
@@ -3020,27 +3028,27 @@
     </message>
     <message>
         <source>There are {0} different poses, {1} are needed so that a bad touch would show. Add touches.</source>
-        <translation>有 {0} 个不同的位姿，需要 {1} 个才能看出错误的触测。请增加触测。</translation>
+        <translation>有{0}个不同的位姿，需要{1}个才能看出错误的触测。请增加触测。</translation>
     </message>
     <message>
         <source>There are {0} different poses, {1} are needed so that a mistake would show. Add poses with the flange tilted.</source>
-        <translation>有 {0} 个不同的位姿，需要 {1} 个才能看出错误。请增加法兰倾斜的位姿。</translation>
+        <translation>有{0}个不同的位姿，需要{1}个才能看出错误。请增加法兰倾斜的位姿。</translation>
     </message>
     <message>
         <source>There are {0} names for {1} pairs; each pair needs one.</source>
-        <translation>{1} 个点对有 {0} 个名称；每个点对需要一个。</translation>
+        <translation>{1}个点对有{0}个名称；每个点对需要一个。</translation>
     </message>
     <message>
         <source>There are {0} pairs, at least {1} are asked for so that a bad pick shows. Pick more pairs.</source>
-        <translation>有 {0} 个点对，要求至少 {1} 个才能看出错误的选点。请选取更多点对。</translation>
+        <translation>有{0}个点对，要求至少{1}个才能看出错误的选点。请选取更多点对。</translation>
     </message>
     <message>
         <source>There are {0} picks on the scan and {1} on the CAD model; each pair needs both.</source>
-        <translation>扫描上有 {0} 个选点，CAD 模型上有 {1} 个；每个点对两者都需要。</translation>
+        <translation>扫描上有{0}个选点，CAD 模型上有{1}个；每个点对两者都需要。</translation>
     </message>
     <message>
         <source>There are {0} touches at different places, {1} are needed so that a mistake would show. Touch the shaft at more head angles.</source>
-        <translation>有 {0} 个不同位置的触测，需要 {1} 个才能看出错误。请在更多浮动头角度下触测轮轴。</translation>
+        <translation>有{0}个不同位置的触测，需要{1}个才能看出错误。请在更多浮动头角度下触测轮轴。</translation>
     </message>
     <message>
         <source>There is no reading of the head of grinder {0} at its stop</source>
@@ -3060,19 +3068,19 @@
     </message>
     <message>
         <source>Touch {0} of {1}: guide the stylus tip into the cone, tilted in another direction than before by 20 degrees or more, let go, then confirm.</source>
-        <translation>触测 {0}/{1}：将测针针尖引导到锥窝内，倾斜方向与之前相差 20 度或更多，松手，然后确认。</translation>
+        <translation>触测{0}/{1}：将测针针尖引导到锥窝内，倾斜方向与之前相差 20 度或更多，松手，然后确认。</translation>
     </message>
     <message>
         <source>Turn the head of grinder {0} to {1} degrees, hold it, touch the centre mark of the wheel shaft with the stylus tip, then confirm.</source>
-        <translation>将{0}砂带磨床的浮动头转到 {1} 度并保持，用测针针尖触碰轮轴的中心标记，然后确认。</translation>
+        <translation>将{0}砂带磨床的浮动头转到{1}度并保持，用测针针尖触碰轮轴的中心标记，然后确认。</translation>
     </message>
     <message>
         <source>Turn the head over {0} deg or more.</source>
-        <translation>请将浮动头转过 {0} deg 或更多。</translation>
+        <translation>请将浮动头转过{0} deg 或更多。</translation>
     </message>
     <message>
         <source>Two different answers fit these {0} poses about equally well ({1} and {2} mm RMS). Add poses tilted by 5 deg or more about other axes.</source>
-        <translation>两个不同的答案与这 {0} 个位姿吻合得差不多（{1} 和 {2} mm RMS）。请增加绕其他轴倾斜 5 deg 或更多的位姿。</translation>
+        <translation>两个不同的答案与这{0}个位姿吻合得差不多（{1}和{2} mm RMS）。请增加绕其他轴倾斜 5 deg 或更多的位姿。</translation>
     </message>
     <message>
         <source>Uncertainty (1 sigma) of the position</source>
@@ -3108,7 +3116,7 @@
     </message>
     <message>
         <source>Without observation {0} (counted from 0) it would be {1} mm: look at that one first.</source>
-        <translation>去掉观测 {0}（从 0 计）后为 {1} mm：请先查看它。</translation>
+        <translation>去掉观测{0}（从 0 计）后为{1} mm：请先查看它。</translation>
     </message>
     <message>
         <source>Without {0} the other picks lie on a line, so nothing checks it: pick one more pair away from that line.</source>
@@ -3132,7 +3140,7 @@
     </message>
     <message>
         <source>a loop has a gap of {0} mm</source>
-        <translation>有一个环存在 {0} mm 的间隙</translation>
+        <translation>有一个环存在{0} mm 的间隙</translation>
     </message>
     <message>
         <source>a loop has no area</source>
@@ -3144,7 +3152,7 @@
     </message>
     <message>
         <source>about {0} deg would do</source>
-        <translation>约 {0} deg 即可</translation>
+        <translation>约{0} deg 即可</translation>
     </message>
     <message>
         <source>above</source>
@@ -3172,7 +3180,7 @@
     </message>
     <message>
         <source>airfoil: expected the number or the name of a face, found {0}.</source>
-        <translation>airfoil：应为面的编号或名称，现为 {0}。</translation>
+        <translation>airfoil：应为面的编号或名称，现为{0}。</translation>
     </message>
     <message>
         <source>all</source>
@@ -3180,7 +3188,7 @@
     </message>
     <message>
         <source>an STL file has at least {0} bytes, found {1}. The file is cut short.</source>
-        <translation>STL 文件至少有 {0} 字节，现为 {1}。文件被截断。</translation>
+        <translation>STL 文件至少有{0}字节，现为{1}。文件被截断。</translation>
     </message>
     <message>
         <source>and others</source>
@@ -3196,11 +3204,11 @@
     </message>
     <message>
         <source>angle, sample {0}: {1} degrees is more than a head in contact can turn (57 degrees). Check the unit of the angle and the sensor&apos;s zero.</source>
-        <translation>角度，样本 {0}：{1} 度超出了接触状态下浮动头所能转动的范围（57 度）。请检查角度的单位和传感器的零点。</translation>
+        <translation>角度，样本{0}：{1}度超出了接触状态下浮动头所能转动的范围（57 度）。请检查角度的单位和传感器的零点。</translation>
     </message>
     <message>
         <source>angle_rad: the head angles span {0} rad, more than a full turn. They look like degrees.</source>
-        <translation>angle_rad：浮动头角度跨越 {0} rad，超过一整圈。看起来单位是度。</translation>
+        <translation>angle_rad：浮动头角度跨越{0} rad，超过一整圈。看起来单位是度。</translation>
     </message>
     <message>
         <source>angle_rad: the head angles {0}</source>
@@ -3212,7 +3220,7 @@
     </message>
     <message>
         <source>approach_mm: expected a distance above 0 and up to 500 mm, found {0}.</source>
-        <translation>approach_mm：应为大于 0 且不超过 500 mm 的距离，现为 {0}。</translation>
+        <translation>approach_mm：应为大于 0 且不超过 500 mm 的距离，现为{0}。</translation>
     </message>
     <message>
         <source>attention</source>
@@ -3224,11 +3232,11 @@
     </message>
     <message>
         <source>axis point along tool {0}</source>
-        <translation>轴上的点沿工具 {0}</translation>
+        <translation>轴上的点沿工具{0}</translation>
     </message>
     <message>
         <source>axis {0} along scanner {1}</source>
-        <translation>轴 {0} 沿扫描仪 {1}</translation>
+        <translation>轴{0}沿扫描仪{1}</translation>
     </message>
     <message>
         <source>ball</source>
@@ -3268,11 +3276,11 @@
     </message>
     <message>
         <source>ball_covariance_mm2: expected {0} matrices 3x3, found shape {1}.</source>
-        <translation>ball_covariance_mm2：应为 {0} 个 3x3 矩阵，现形状为 {1}。</translation>
+        <translation>ball_covariance_mm2：应为{0}个 3x3 矩阵，现形状为{1}。</translation>
     </message>
     <message>
         <source>ball_in_measure_mm: expected N points of three numbers, found shape {0}.</source>
-        <translation>ball_in_measure_mm：应为 N 个三个数的点，现形状为 {0}。</translation>
+        <translation>ball_in_measure_mm：应为 N 个三个数的点，现形状为{0}。</translation>
     </message>
     <message>
         <source>ball_in_measure_mm: expected N points of three numbers.</source>
@@ -3280,11 +3288,11 @@
     </message>
     <message>
         <source>ball_in_measure_mm: the balls are spread over only {0} while the flange moved {1} mm. That looks like metres; ball centres must be in mm.</source>
-        <translation>ball_in_measure_mm：各球只分布在 {0} 范围内，而法兰移动了 {1} mm。看起来单位是米；球心必须用 mm。</translation>
+        <translation>ball_in_measure_mm：各球只分布在{0}范围内，而法兰移动了{1} mm。看起来单位是米；球心必须用 mm。</translation>
     </message>
     <message>
         <source>ball_in_scanner_mm: no ball has a coordinate above {0}, expected a working distance in mm. The ball centres look like metres.</source>
-        <translation>ball_in_scanner_mm：没有球的坐标大于 {0}，应为以 mm 计的工作距离。球心的单位看起来是米。</translation>
+        <translation>ball_in_scanner_mm：没有球的坐标大于{0}，应为以 mm 计的工作距离。球心的单位看起来是米。</translation>
     </message>
     <message>
         <source>base</source>
@@ -3292,7 +3300,7 @@
     </message>
     <message>
         <source>base_from_flange: expected N matrices 4x4, found shape {0}.</source>
-        <translation>base_from_flange：应为 N 个 4x4 矩阵，现形状为 {0}。</translation>
+        <translation>base_from_flange：应为 N 个 4x4 矩阵，现形状为{0}。</translation>
     </message>
     <message>
         <source>base_from_flange: expected N matrices of 4x4 numbers.</source>
@@ -3300,7 +3308,7 @@
     </message>
     <message>
         <source>base_from_flange: no flange is farther than {0} from the robot base. That looks like metres; positions must be in mm.</source>
-        <translation>base_from_flange：没有法兰距机器人基座超过 {0}。看起来单位是米；位置必须用 mm。</translation>
+        <translation>base_from_flange：没有法兰距机器人基座超过{0}。看起来单位是米；位置必须用 mm。</translation>
     </message>
     <message>
         <source>before</source>
@@ -3372,7 +3380,7 @@
     </message>
     <message>
         <source>check line {0} of {1}</source>
-        <translation>检验线 {0}/{1}</translation>
+        <translation>检验线{0}/{1}</translation>
     </message>
     <message>
         <source>chosen</source>
@@ -3408,7 +3416,7 @@
     </message>
     <message>
         <source>cone touch {0} of {1}</source>
-        <translation>锥窝触测 {0}/{1}</translation>
+        <translation>锥窝触测{0}/{1}</translation>
     </message>
     <message>
         <source>cone&apos;s point</source>
@@ -3424,15 +3432,15 @@
     </message>
     <message>
         <source>count: expected at least 1 line, found {0}.</source>
-        <translation>count：应至少为 1 条线，现为 {0}。</translation>
+        <translation>count：应至少为 1 条线，现为{0}。</translation>
     </message>
     <message>
         <source>count: expected at most {0} lines, found {1}.</source>
-        <translation>count：应最多为 {0} 条线，现为 {1}。</translation>
+        <translation>count：应最多为{0}条线，现为{1}。</translation>
     </message>
     <message>
         <source>count: {0} lines need a {1} with a length, found {2}. Give count = 1.</source>
-        <translation>count：{0} 条线需要有长度的 {1}，现为 {2}。请给出 count = 1。</translation>
+        <translation>count：{0}条线需要有长度的{1}，现为{2}。请给出 count = 1。</translation>
     </message>
     <message>
         <source>create</source>
@@ -3488,7 +3496,7 @@
     </message>
     <message>
         <source>edge_margin_mm must lie between 0 and edge_zone_mm, found {0}.</source>
-        <translation>edge_margin_mm 必须在 0 与 edge_zone_mm 之间，现为 {0}。</translation>
+        <translation>edge_margin_mm 必须在 0 与 edge_zone_mm 之间，现为{0}。</translation>
     </message>
     <message>
         <source>engine stop</source>
@@ -3496,11 +3504,11 @@
     </message>
     <message>
         <source>error_mm, sample {0}: {1} mm is out of reach of a head of radius {2} mm.</source>
-        <translation>error_mm，样本 {0}：{1} mm 超出了半径为 {2} mm 的浮动头的范围。</translation>
+        <translation>error_mm，样本{0}：{1} mm 超出了半径为{2} mm 的浮动头的范围。</translation>
     </message>
     <message>
         <source>error_mm: the typical error is {0}, which no blade in a cell has in mm. Check the unit (micrometres?).</source>
-        <translation>error_mm：典型误差为 {0}，单元中没有叶片会有这样的 mm 值。请检查单位（是否微米？）。</translation>
+        <translation>error_mm：典型误差为{0}，单元中没有叶片会有这样的 mm 值。请检查单位（是否微米？）。</translation>
     </message>
     <message>
         <source>error_surface: the file does not hold an error surface.</source>
@@ -3548,7 +3556,7 @@
     </message>
     <message>
         <source>face {0}</source>
-        <translation>面 {0}</translation>
+        <translation>面{0}</translation>
     </message>
     <message>
         <source>faces</source>
@@ -3576,11 +3584,11 @@
     </message>
     <message>
         <source>flange_from_work: give either this or {0}, not both.</source>
-        <translation>flange_from_work：请给出它或 {0}，不要两个都给。</translation>
+        <translation>flange_from_work：请给出它或{0}，不要两个都给。</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is no serial number of the blade type {1}; expected the pattern {2}. Scan it again.</source>
-        <translation>“{0}”不是叶片型号 {1} 的序列号；应符合格式 {2}。请重新扫码。</translation>
+        <translation>“{0}”不是叶片型号{1}的序列号；应符合格式{2}。请重新扫码。</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is under way. Wait for its end, or cancel it first.</source>
@@ -3596,7 +3604,7 @@
     </message>
     <message>
         <source>, with its normal along {0} at least partly</source>
-        <translation>，其法线至少部分沿 {0}</translation>
+        <translation>，其法线至少部分沿{0}</translation>
     </message>
     <message>
         <source>A fault of the program ended the solving.</source>
@@ -3640,7 +3648,7 @@
     </message>
     <message>
         <source>Ball in {F}</source>
-        <translation>标准球在 {F} 中</translation>
+        <translation>标准球在 {F} 中的位置</translation>
     </message>
     <message>
         <source>Ball in {F}, uncertainty (k = 2)</source>
@@ -3648,7 +3656,7 @@
     </message>
     <message>
         <source>Ball in {M}</source>
-        <translation>标准球在 {M} 中</translation>
+        <translation>标准球在 {M} 中的位置</translation>
     </message>
     <message>
         <source>Ball seen</source>
@@ -3656,7 +3664,7 @@
     </message>
     <message>
         <source>Ball&apos;s diameter by the scans alone, certified {0} mm</source>
-        <translation>仅由扫描得到的标准球直径，证书值 {0} mm</translation>
+        <translation>仅由扫描得到的标准球直径，证书值{0} mm</translation>
     </message>
     <message>
         <source>Between the nodes of the grid; the fit does not see it. Delete it to probe it again.</source>
@@ -3668,15 +3676,15 @@
     </message>
     <message>
         <source>Blade in {F}</source>
-        <translation>叶片在 {F} 中</translation>
+        <translation>叶片在 {F} 中的位姿</translation>
     </message>
     <message>
         <source>Blade in {M}</source>
-        <translation>叶片在 {M} 中</translation>
+        <translation>叶片在 {M} 中的位姿</translation>
     </message>
     <message>
         <source>Blade in {M}, by pairs</source>
-        <translation>由点对得到的叶片在 {M} 中</translation>
+        <translation>由点对得到的叶片在 {M} 中的位姿</translation>
     </message>
     <message>
         <source>Blade in {W}: normal error of the airfoil</source>
@@ -3752,7 +3760,7 @@
     </message>
     <message>
         <source>Cone in {B}</source>
-        <translation>锥窝在 {B} 中</translation>
+        <translation>锥窝在 {B} 中的位置</translation>
     </message>
     <message>
         <source>Covered</source>
@@ -3804,15 +3812,15 @@
     </message>
     <message>
         <source>Flange x in {B}</source>
-        <translation>法兰 x 在 {B} 中</translation>
+        <translation>法兰在 {B} 中的 x</translation>
     </message>
     <message>
         <source>Flange y in {B}</source>
-        <translation>法兰 y 在 {B} 中</translation>
+        <translation>法兰在 {B} 中的 y</translation>
     </message>
     <message>
         <source>Flange z in {B}</source>
-        <translation>法兰 z 在 {B} 中</translation>
+        <translation>法兰在 {B} 中的 z</translation>
     </message>
     <message>
         <source>Frames at the wheel, apart from those of the probing</source>
@@ -4000,15 +4008,15 @@
     </message>
     <message>
         <source>One more scan adds most with the stage at x {0} mm, y {1} mm, z {2} mm, turned by {3} deg.</source>
-        <translation>再扫描一次，位移台位于 x {0} mm、y {1} mm、z {2} mm，转角 {3} deg 时收益最大。</translation>
+        <translation>再扫描一次，位移台位于 x {0} mm、y {1} mm、z {2} mm，转角{3} deg 时收益最大。</translation>
     </message>
     <message>
         <source>One more touch of the cone adds most with the flange tilted by {0} deg towards {1} deg in {B}, counted from x to y.</source>
-        <translation>再触测一次锥窝，法兰在 {B} 中朝 {1} deg 方向（从 x 向 y 计）倾斜 {0} deg 时收益最大。</translation>
+        <translation>再触测一次锥窝，法兰在 {B} 中朝{1} deg 方向（从 x 向 y 计）倾斜{0} deg 时收益最大。</translation>
     </message>
     <message>
         <source>One more touch of the shaft of grinder {0} adds most at a head angle of {1} deg.</source>
-        <translation>再触测一次{0}砂带磨床的轮轴，浮动头角度为 {1} deg 时收益最大。</translation>
+        <translation>再触测一次{0}砂带磨床的轮轴，浮动头角度为{1} deg 时收益最大。</translation>
     </message>
     <message>
         <source>Only &apos;{0}&apos; is a witness of something: a pose like it would check it.</source>
@@ -4028,7 +4036,7 @@
     </message>
     <message>
         <source>Origin of {M} in {B},</source>
-        <translation>{M} 的原点在 {B} 中，</translation>
+        <translation>{M} 的原点在 {B} 中的位置</translation>
     </message>
     <message>
         <source>Other scans were taken after this closing scan, so it no longer closes the series.</source>
@@ -4036,7 +4044,7 @@
     </message>
     <message>
         <source>Pair &apos;{0}&apos; is {1} mm off where the faces of the blade put it, the limit is {2} mm. Pick it again, or leave it out.</source>
-        <translation>点对“{0}”与叶片各面所定位置相差 {1} mm，限值为 {2} mm。请重新选取，或将其排除。</translation>
+        <translation>点对“{0}”与叶片各面所定位置相差{1} mm，限值为{2} mm。请重新选取，或将其排除。</translation>
     </message>
     <message>
         <source>Pair &apos;{0}&apos; stands out: pick it again, or leave it out.</source>
@@ -4044,7 +4052,7 @@
     </message>
     <message>
         <source>Pair {0} has no name and points. Pick it anew.</source>
-        <translation>点对 {0} 没有名称和点。请重新选取。</translation>
+        <translation>点对{0}没有名称和点。请重新选取。</translation>
     </message>
     <message>
         <source>Pairs</source>
@@ -4064,7 +4072,7 @@
     </message>
     <message>
         <source>Pick {0} more: the same point on the scan and on the CAD model.</source>
-        <translation>请再选取 {0} 个：在扫描和 CAD 模型上选同一点。</translation>
+        <translation>请再选取{0}个：在扫描和 CAD 模型上选同一点。</translation>
     </message>
     <message>
         <source>Point carried to {B} as far out as the balls, uncertainty (k = 2)</source>
@@ -4096,11 +4104,11 @@
     </message>
     <message>
         <source>Program {0}</source>
-        <translation>程序 {0}</translation>
+        <translation>程序{0}</translation>
     </message>
     <message>
         <source>Program {0}: {1} contacts are left out, nothing was measured there.</source>
-        <translation>程序 {0}：去掉了 {1} 个接触点，那里没有测量。</translation>
+        <translation>程序{0}：去掉了{1}个接触点，那里没有测量。</translation>
     </message>
     <message>
         <source>RMS distance of the scan from the faces</source>
@@ -4144,15 +4152,15 @@
     </message>
     <message>
         <source>Rotary axis in {M}, direction {0}</source>
-        <translation>旋转轴在 {M} 中，方向 {0}</translation>
+        <translation>旋转轴在 {M} 中，方向{0}</translation>
     </message>
     <message>
         <source>Rotary axis in {M}, point nearest to the origin,</source>
-        <translation>旋转轴在 {M} 中，离原点最近的点，</translation>
+        <translation>旋转轴在 {M} 中离原点最近的点</translation>
     </message>
     <message>
         <source>Scale of stage axis {0}, moved per commanded</source>
-        <translation>位移台轴 {0} 的比例系数，实际移动比指令</translation>
+        <translation>位移台轴{0}的比例系数，实际移动比指令</translation>
     </message>
     <message>
         <source>Scan &apos;{0}&apos; as the scanner sees it</source>
@@ -4168,7 +4176,7 @@
     </message>
     <message>
         <source>Scan &apos;{0}&apos; next: stage axis {1} has not moved yet.</source>
-        <translation>下一个扫描“{0}”：位移台轴 {1} 还没有移动过。</translation>
+        <translation>下一个扫描“{0}”：位移台轴{1}还没有移动过。</translation>
     </message>
     <message>
         <source>Scan of the blade</source>
@@ -4220,7 +4228,7 @@
     </message>
     <message>
         <source>Shaft {0}</source>
-        <translation>轮轴 {0}</translation>
+        <translation>轮轴{0}</translation>
     </message>
     <message>
         <source>Solving</source>
@@ -4232,11 +4240,11 @@
     </message>
     <message>
         <source>Squareness of axes {0}, angle less 90 deg</source>
-        <translation>轴 {0} 的垂直度，角度减 90 deg</translation>
+        <translation>轴{0}的垂直度，角度减 90 deg</translation>
     </message>
     <message>
         <source>Stage axis {0} has not moved: its direction and scale are assumed, not measured.</source>
-        <translation>位移台轴 {0} 没有移动过：其方向和比例系数是假定的，不是测得的。</translation>
+        <translation>位移台轴{0}没有移动过：其方向和比例系数是假定的，不是测得的。</translation>
     </message>
     <message>
         <source>Stage turn</source>
@@ -4264,7 +4272,7 @@
     </message>
     <message>
         <source>Stylus tip in {F}</source>
-        <translation>测针针尖在 {F} 中</translation>
+        <translation>测针针尖在 {F} 中的位置</translation>
     </message>
     <message>
         <source>Stylus tip, uncertainty (k = 2)</source>
@@ -4292,7 +4300,7 @@
     </message>
     <message>
         <source>Take cone touch {0} next: of the missing ones it adds most.</source>
-        <translation>下一步做锥窝触测 {0}：在缺少的触测中收益最大。</translation>
+        <translation>下一步做锥窝触测{0}：在缺少的触测中收益最大。</translation>
     </message>
     <message>
         <source>Taking samples</source>
@@ -4304,11 +4312,11 @@
     </message>
     <message>
         <source>The automatic search finds the blade where pair &apos;{0}&apos; is {1} mm off: pick it again, or leave it out.</source>
-        <translation>自动搜索找到的叶片位置与点对“{0}”相差 {1} mm：请重新选取，或将其排除。</translation>
+        <translation>自动搜索找到的叶片位置与点对“{0}”相差{1} mm：请重新选取，或将其排除。</translation>
     </message>
     <message>
         <source>The ball is {0} mm from where the first scan saw it; the limit is {1} mm.</source>
-        <translation>标准球与首次扫描所见位置相差 {0} mm；限值为 {1} mm。</translation>
+        <translation>标准球与首次扫描所见位置相差{0} mm；限值为{1} mm。</translation>
     </message>
     <message>
         <source>The ball on the flange, seen in many robot poses</source>
@@ -4329,12 +4337,12 @@
     <message>
         <source>The engine has crashed (exit code {0}).
 {1}</source>
-        <translation>引擎已崩溃（退出代码 {0}）。
+        <translation>引擎已崩溃（退出代码{0}）。
 {1}</translation>
     </message>
     <message>
         <source>The engine has ended by itself (exit code {0}).</source>
-        <translation>引擎已自行结束（退出代码 {0}）。</translation>
+        <translation>引擎已自行结束（退出代码{0}）。</translation>
     </message>
     <message>
         <source>The error of {0} predicted from the others</source>
@@ -4388,11 +4396,11 @@
     </message>
     <message>
         <source>The rough step knows the methods &apos;{0}&apos; and &apos;{1}&apos;, found {2}.</source>
-        <translation>粗定位步骤的方法有“{0}”和“{1}”，现为 {2}。</translation>
+        <translation>粗定位步骤的方法有“{0}”和“{1}”，现为{2}。</translation>
     </message>
     <message>
         <source>The samples changed since it was solved: {0} no longer used, {1} new.</source>
-        <translation>求解后样本已改变：不再使用 {0} 个，新增 {1} 个。</translation>
+        <translation>求解后样本已改变：不再使用{0}个，新增{1}个。</translation>
     </message>
     <message>
         <source>The session is open to look at only. Open it to go on with it.</source>
@@ -4444,7 +4452,7 @@
     </message>
     <message>
         <source>Touch the shaft of grinder {0} at {1} deg next.</source>
-        <translation>下一步在 {1} deg 处触测{0}砂带磨床的轮轴。</translation>
+        <translation>下一步在{1} deg 处触测{0}砂带磨床的轮轴。</translation>
     </message>
     <message>
         <source>Turn of {M} in {B}, uncertainty (k = 2)</source>
@@ -4464,19 +4472,19 @@
     </message>
     <message>
         <source>Uncertainty of a point carried to {B} (k = 2): from {0} to {1} mm.</source>
-        <translation>变换到 {B} 的点的不确定度（k = 2）：从 {0} 变为 {1} mm。</translation>
+        <translation>变换到 {B} 的点的不确定度（k = 2）：从{0}变为{1} mm。</translation>
     </message>
     <message>
         <source>Uncertainty of a scanned point (k = 2): from {0} to {1} µm.</source>
-        <translation>扫描点的不确定度（k = 2）：从 {0} 变为 {1} µm。</translation>
+        <translation>扫描点的不确定度（k = 2）：从{0}变为{1} µm。</translation>
     </message>
     <message>
         <source>Uncertainty of the stylus tip (k = 2): from {0} to {1} mm.</source>
-        <translation>测针针尖的不确定度（k = 2）：从 {0} 变为 {1} mm。</translation>
+        <translation>测针针尖的不确定度（k = 2）：从{0}变为{1} mm。</translation>
     </message>
     <message>
         <source>Uncertainty of the wheel of grinder {0} (k = 2): from {1} to {2} mm.</source>
-        <translation>{0}砂带磨床接触轮的不确定度（k = 2）：从 {1} 变为 {2} mm。</translation>
+        <translation>{0}砂带磨床接触轮的不确定度（k = 2）：从{1}变为{2} mm。</translation>
     </message>
     <message>
         <source>Uncertainty of the {0} (z = {1} mm in {W}), k = 2</source>
@@ -4485,6 +4493,10 @@
     <message>
         <source>Wheel at the head&apos;s stop, moved since the tool step</source>
         <translation>浮动头挡块处的接触轮，自工具步骤以来的移动</translation>
+    </message>
+    <message>
+        <source>[Errno {0}] {1}: {2}</source>
+        <translation>[Errno {0}] {1}：{2}</translation>
     </message>
     <message>
         <source>a wrong pair is then named by the others</source>
@@ -4500,11 +4512,15 @@
     </message>
     <message>
         <source>and {0} deg</source>
-        <translation>和 {0} deg</translation>
+        <translation>和{0} deg</translation>
     </message>
     <message>
         <source>around the probing</source>
         <translation>探测前后</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>数据库为只读</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -4529,6 +4545,10 @@
     <message>
         <source>ball less model in {M}, µm</source>
         <translation>{M} 中球心减模型，µm</translation>
+    </message>
+    <message>
+        <source>ball_covariance_mm2[{0}]: a covariance must be positive definite, its smallest variance is {1} mm^2.</source>
+        <translation>ball_covariance_mm2[{0}]：协方差必须正定，其最小方差为{1} mm^2。</translation>
     </message>
     <message>
         <source>base_from_tool ({0})</source>
@@ -4572,7 +4592,7 @@
     </message>
     <message>
         <source>check line {0}</source>
-        <translation>检验线 {0}</translation>
+        <translation>检验线{0}</translation>
     </message>
     <message>
         <source>chosen faces</source>
@@ -4588,11 +4608,11 @@
     </message>
     <message>
         <source>compensation drawn x{0}</source>
-        <translation>补偿量放大 {0} 倍显示</translation>
+        <translation>补偿量放大{0}倍显示</translation>
     </message>
     <message>
         <source>cone {0}</source>
-        <translation>锥窝 {0}</translation>
+        <translation>锥窝{0}</translation>
     </message>
     <message>
         <source>connected</source>
@@ -4625,6 +4645,18 @@
     <message>
         <source>dZ in {M}</source>
         <translation>{M} 中的 dZ</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>数据库文件已损坏</translation>
+    </message>
+    <message>
+        <source>database is locked</source>
+        <translation>数据库被占用</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>磁盘读写错误</translation>
     </message>
     <message>
         <source>distance from the prediction by all others, mm</source>
@@ -4676,11 +4708,11 @@
     </message>
     <message>
         <source>exported to {0}</source>
-        <translation>已导出到 {0}</translation>
+        <translation>已导出到{0}</translation>
     </message>
     <message>
         <source>extra {0}</source>
-        <translation>附加 {0}</translation>
+        <translation>附加{0}</translation>
     </message>
     <message>
         <source>face</source>
@@ -4689,6 +4721,10 @@
     <message>
         <source>fault</source>
         <translation>故障</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>该文件不是数据库</translation>
     </message>
     <message>
         <source>filter boxes</source>
@@ -4700,11 +4736,11 @@
     </message>
     <message>
         <source>fitted ball {0} mm RMS, nothing held out</source>
-        <translation>标准球拟合 {0} mm RMS，没有留出任何数据</translation>
+        <translation>标准球拟合{0} mm RMS，没有留出任何数据</translation>
     </message>
     <message>
         <source>fitted stylus {0} mm RMS</source>
-        <translation>测针拟合 {0} mm RMS</translation>
+        <translation>测针拟合{0} mm RMS</translation>
     </message>
     <message>
         <source>found automatically</source>
@@ -4731,8 +4767,16 @@
         <translation>{0}砂带磨床</translation>
     </message>
     <message>
+        <source>grinder {0} angle</source>
+        <translation>{0}砂带磨床浮动头角度</translation>
+    </message>
+    <message>
+        <source>grinder {0} force</source>
+        <translation>{0}砂带磨床接触力</translation>
+    </message>
+    <message>
         <source>grinder {0}: contact_side must be 1 or -1, found {1}.</source>
-        <translation>{0}砂带磨床：contact_side 必须为 1 或 -1，现为 {1}。</translation>
+        <translation>{0}砂带磨床：contact_side 必须为 1 或 -1，现为{1}。</translation>
     </message>
     <message>
         <source>grinder {0}: head at its stop</source>
@@ -4740,7 +4784,7 @@
     </message>
     <message>
         <source>grinder {0}: shaft at {1} degrees</source>
-        <translation>{0}砂带磨床：{1} 度处的轮轴</translation>
+        <translation>{0}砂带磨床：{1}度处的轮轴</translation>
     </message>
     <message>
         <source>hardly any points; those in its box are as thin as stray points</source>
@@ -4752,7 +4796,7 @@
     </message>
     <message>
         <source>head axis {0}</source>
-        <translation>浮动头轴 {0}</translation>
+        <translation>浮动头轴{0}</translation>
     </message>
     <message>
         <source>head radius ({0})</source>
@@ -4776,15 +4820,15 @@
     </message>
     <message>
         <source>held-out ball {0} mm RMS</source>
-        <translation>留出标准球 {0} mm RMS</translation>
+        <translation>留出标准球{0} mm RMS</translation>
     </message>
     <message>
         <source>held-out error {0} mm RMS</source>
-        <translation>留出误差 {0} mm RMS</translation>
+        <translation>留出误差{0} mm RMS</translation>
     </message>
     <message>
         <source>held-out shaft mark {0} mm RMS</source>
-        <translation>留出轮轴标记 {0} mm RMS</translation>
+        <translation>留出轮轴标记{0} mm RMS</translation>
     </message>
     <message>
         <source>held-out, two halves</source>
@@ -4816,7 +4860,7 @@
     </message>
     <message>
         <source>intervals: expected at least 1 in u and v, found {0}.</source>
-        <translation>intervals：u 和 v 方向应至少为 1，现为 {0}。</translation>
+        <translation>intervals：u 和 v 方向应至少为 1，现为{0}。</translation>
     </message>
     <message>
         <source>it answers, but its values stand still. Wait, or connect it again.</source>
@@ -4844,7 +4888,7 @@
     </message>
     <message>
         <source>its boundary encloses {0} mm², but its area is {1} mm²</source>
-        <translation>其边界围成 {0} mm²，而其面积为 {1} mm²</translation>
+        <translation>其边界围成{0} mm²，而其面积为{1} mm²</translation>
     </message>
     <message>
         <source>its boundary goes around the axis more than once</source>
@@ -4852,11 +4896,11 @@
     </message>
     <message>
         <source>its points lie {0} mm off the surface that the other faces give</source>
-        <translation>其点偏离其他面所定的表面 {0} mm</translation>
+        <translation>其点偏离其他面所定的表面{0} mm</translation>
     </message>
     <message>
         <source>joint {0}</source>
-        <translation>关节 {0}</translation>
+        <translation>关节{0}</translation>
     </message>
     <message>
         <source>kept out of the fit</source>
@@ -4912,11 +4956,11 @@
     </message>
     <message>
         <source>line {0}</source>
-        <translation>线 {0}</translation>
+        <translation>线{0}</translation>
     </message>
     <message>
         <source>line {0} of {1}</source>
-        <translation>线 {0}/{1}</translation>
+        <translation>线{0}/{1}</translation>
     </message>
     <message>
         <source>lines</source>
@@ -4940,7 +4984,7 @@
     </message>
     <message>
         <source>looking for the ball in scan {0} of {1}</source>
-        <translation>正在扫描 {0}/{1} 中寻找标准球</translation>
+        <translation>正在扫描{0}/{1}中寻找标准球</translation>
     </message>
     <message>
         <source>looking for the fixture&apos;s planes</source>
@@ -5032,7 +5076,7 @@
     </message>
     <message>
         <source>no grinder {0}; there are {1}</source>
-        <translation>没有{0}砂带磨床；现有 {1}</translation>
+        <translation>没有{0}砂带磨床；现有{1}</translation>
     </message>
     <message>
         <source>no points of its own; it shares its surface with another face</source>
@@ -5045,6 +5089,10 @@
     <message>
         <source>no sample came within {0} s. Ask again.</source>
         <translation>{0} s 内没有收到样本。请重新请求。</translation>
+    </message>
+    <message>
+        <source>no such table: {0}</source>
+        <translation>没有表{0}</translation>
     </message>
     <message>
         <source>nobody confirmed within {0} s: {1}</source>
@@ -5080,15 +5128,15 @@
     </message>
     <message>
         <source>normal, sample {0}: ({1}, {2}, {3}) is almost at right angles to the head&apos;s motion (y of the tool frame), so the head cannot feel an error there. Check that the normals are given in the tool frame.</source>
-        <translation>法线，样本 {0}：({1}, {2}, {3}) 与浮动头的运动方向（工具坐标系的 y）几乎垂直，浮动头感觉不到那里的误差。请检查法线是否在工具坐标系中给出。</translation>
+        <translation>法线，样本{0}：({1}, {2}, {3}) 与浮动头的运动方向（工具坐标系的 y）几乎垂直，浮动头感觉不到那里的误差。请检查法线是否在工具坐标系中给出。</translation>
     </message>
     <message>
         <source>normal, sample {0}: length {1}, expected a unit vector.</source>
-        <translation>法线，样本 {0}：长度为 {1}，应为单位向量。</translation>
+        <translation>法线，样本{0}：长度为{1}，应为单位向量。</translation>
     </message>
     <message>
         <source>normals: expected {0} rows of nx, ny, nz, found shape {1}.</source>
-        <translation>法线：应为 {0} 行 nx、ny、nz，现形状为 {1}。</translation>
+        <translation>法线：应为{0}行 nx、ny、nz，现形状为{1}。</translation>
     </message>
     <message>
         <source>not accepted</source>
@@ -5120,11 +5168,11 @@
     </message>
     <message>
         <source>observation {0}</source>
-        <translation>观测 {0}</translation>
+        <translation>观测{0}</translation>
     </message>
     <message>
         <source>observation {0} (counted from 0)</source>
-        <translation>观测 {0}（从 0 计）</translation>
+        <translation>观测{0}（从 0 计）</translation>
     </message>
     <message>
         <source>observations[{0}].ball_in_measure_mm: NaN or infinite number. Scan the ball again in that pose.</source>
@@ -5136,11 +5184,11 @@
     </message>
     <message>
         <source>of at least {0}</source>
-        <translation>，至少 {0}</translation>
+        <translation>，至少{0}</translation>
     </message>
     <message>
         <source>of {0} points in its box only {1} lie on it; the others are clutter or ghosts</source>
-        <translation>其框内 {0} 个点中只有 {1} 个落在面上；其余为杂物或虚点</translation>
+        <translation>其框内{0}个点中只有{1}个落在面上；其余为杂物或虚点</translation>
     </message>
     <message>
         <source>off the surface</source>
@@ -5156,7 +5204,7 @@
     </message>
     <message>
         <source>only {0} points in its box, {1} are needed</source>
-        <translation>其框内只有 {0} 个点，需要 {1} 个</translation>
+        <translation>其框内只有{0}个点，需要{1}个</translation>
     </message>
     <message>
         <source>open</source>
@@ -5188,7 +5236,7 @@
     </message>
     <message>
         <source>pair {0}</source>
-        <translation>点对 {0}</translation>
+        <translation>点对{0}</translation>
     </message>
     <message>
         <source>pairs</source>
@@ -5196,7 +5244,7 @@
     </message>
     <message>
         <source>pass {0} over the points of the faces</source>
-        <translation>对各面的点进行第 {0} 轮</translation>
+        <translation>对各面的点进行第{0}轮</translation>
     </message>
     <message>
         <source>path</source>
@@ -5216,7 +5264,7 @@
     </message>
     <message>
         <source>pivot {0} in base</source>
-        <translation>基座中的枢轴点 {0}</translation>
+        <translation>基座中的枢轴点{0}</translation>
     </message>
     <message>
         <source>place on the blade</source>
@@ -5236,7 +5284,7 @@
     </message>
     <message>
         <source>point_in_base_mm: no touch is farther than {0} from the robot base. That looks like metres; points must be in mm.</source>
-        <translation>point_in_base_mm：没有触测点距机器人基座超过 {0}。看起来单位是米；点必须用 mm。</translation>
+        <translation>point_in_base_mm：没有触测点距机器人基座超过{0}。看起来单位是米；点必须用 mm。</translation>
     </message>
     <message>
         <source>points</source>
@@ -5272,15 +5320,15 @@
     </message>
     <message>
         <source>pose {0}</source>
-        <translation>位姿 {0}</translation>
+        <translation>位姿{0}</translation>
     </message>
     <message>
         <source>pose {0} is compared with the scan</source>
-        <translation>正在将位姿 {0} 与扫描比较</translation>
+        <translation>正在将位姿{0}与扫描比较</translation>
     </message>
     <message>
         <source>pose {0} of {1} is aligned</source>
-        <translation>正在对齐位姿 {0}/{1}</translation>
+        <translation>正在对齐位姿{0}/{1}</translation>
     </message>
     <message>
         <source>positions</source>
@@ -5292,7 +5340,7 @@
     </message>
     <message>
         <source>positions: {0} to {1} do not lie within {2} to {3}.</source>
-        <translation>positions：{0} 到 {1} 不在 {2} 到 {3} 范围内。</translation>
+        <translation>positions：{0}到{1}不在{2}到{3}范围内。</translation>
     </message>
     <message>
         <source>predicted normal error, µm</source>
@@ -5308,11 +5356,11 @@
     </message>
     <message>
         <source>probing line {0} of {1}</source>
-        <translation>正在探测线 {0}/{1}</translation>
+        <translation>正在探测线{0}/{1}</translation>
     </message>
     <message>
         <source>process {0} on {1}</source>
-        <translation>{1} 上的进程 {0}</translation>
+        <translation>{1}上的进程{0}</translation>
     </message>
     <message>
         <source>program</source>
@@ -5336,7 +5384,7 @@
     </message>
     <message>
         <source>radius_mm: expected the head&apos;s radius in mm (5 to 5000), found {0}.</source>
-        <translation>radius_mm：应为以 mm 计的浮动头半径（5 到 5000），现为 {0}。</translation>
+        <translation>radius_mm：应为以 mm 计的浮动头半径（5 到 5000），现为{0}。</translation>
     </message>
     <message>
         <source>read</source>
@@ -5416,7 +5464,7 @@
     </message>
     <message>
         <source>residuals drawn {0} times as long</source>
-        <translation>残差放大 {0} 倍显示</translation>
+        <translation>残差放大{0}倍显示</translation>
     </message>
     <message>
         <source>resources</source>
@@ -5432,7 +5480,7 @@
     </message>
     <message>
         <source>robot_sigma_mm: expected a number of mm, zero or more, found {0}.</source>
-        <translation>robot_sigma_mm：应为零或更大的 mm 数，现为 {0}。</translation>
+        <translation>robot_sigma_mm：应为零或更大的 mm 数，现为{0}。</translation>
     </message>
     <message>
         <source>rotary</source>
@@ -5464,11 +5512,11 @@
     </message>
     <message>
         <source>rotation about tool {0}</source>
-        <translation>绕工具 {0} 的旋转</translation>
+        <translation>绕工具{0}的旋转</translation>
     </message>
     <message>
         <source>rotation about {0}</source>
-        <translation>绕 {0} 的旋转</translation>
+        <translation>绕{0}的旋转</translation>
     </message>
     <message>
         <source>rotation x</source>
@@ -5484,7 +5532,7 @@
     </message>
     <message>
         <source>rotation {0} of {1}</source>
-        <translation>旋转 {0}/{1}</translation>
+        <translation>旋转{0}/{1}</translation>
     </message>
     <message>
         <source>rough</source>
@@ -5496,15 +5544,15 @@
     </message>
     <message>
         <source>sample {0} deleted</source>
-        <translation>样本 {0} 已删除</translation>
+        <translation>样本{0}已删除</translation>
     </message>
     <message>
         <source>sample {0} left out</source>
-        <translation>样本 {0} 已排除</translation>
+        <translation>样本{0}已排除</translation>
     </message>
     <message>
         <source>sample {0} used again</source>
-        <translation>样本 {0} 重新使用</translation>
+        <translation>样本{0}重新使用</translation>
     </message>
     <message>
         <source>samples</source>
@@ -5520,19 +5568,19 @@
     </message>
     <message>
         <source>scan {0} of {1}: the first place again</source>
-        <translation>扫描 {0}/{1}：再次在首个位置</translation>
+        <translation>扫描{0}/{1}：再次在首个位置</translation>
     </message>
     <message>
         <source>scan {0} of {1}: {2}</source>
-        <translation>扫描 {0}/{1}：{2}</translation>
+        <translation>扫描{0}/{1}：{2}</translation>
     </message>
     <message>
         <source>scan {0}: contains NaN or infinite coordinates; drop these points first.</source>
-        <translation>扫描 {0}：含有 NaN 或无穷大坐标；请先去掉这些点。</translation>
+        <translation>扫描{0}：含有 NaN 或无穷大坐标；请先去掉这些点。</translation>
     </message>
     <message>
         <source>scan {0}: expected points as (N, 3) in mm, found shape {1}.</source>
-        <translation>扫描 {0}：点应为 (N, 3)（mm），现形状为 {1}。</translation>
+        <translation>扫描{0}：点应为 (N, 3)（mm），现形状为{1}。</translation>
     </message>
     <message>
         <source>scanner</source>
@@ -5564,11 +5612,11 @@
     </message>
     <message>
         <source>shaft {0} {1}</source>
-        <translation>轮轴 {0} {1}</translation>
+        <translation>轮轴{0} {1}</translation>
     </message>
     <message>
         <source>shaft_offset_mm: expected a number of mm, found {0}.</source>
-        <translation>shaft_offset_mm：应为 mm 数，现为 {0}。</translation>
+        <translation>shaft_offset_mm：应为 mm 数，现为{0}。</translation>
     </message>
     <message>
         <source>share</source>
@@ -5584,19 +5632,19 @@
     </message>
     <message>
         <source>sigma_mm must be above 0 mm, found {0}.</source>
-        <translation>sigma_mm 必须大于 0 mm，现为 {0}。</translation>
+        <translation>sigma_mm 必须大于 0 mm，现为{0}。</translation>
     </message>
     <message>
         <source>sigma_mm: expected a number of mm above zero, found {0}.</source>
-        <translation>sigma_mm：应为大于零的 mm 数，现为 {0}。</translation>
+        <translation>sigma_mm：应为大于零的 mm 数，现为{0}。</translation>
     </message>
     <message>
         <source>sigma_mm: expected a positive noise in mm, found {0}.</source>
-        <translation>sigma_mm：应为正的噪声（mm），现为 {0}。</translation>
+        <translation>sigma_mm：应为正的噪声（mm），现为{0}。</translation>
     </message>
     <message>
         <source>sigma_mm: expected a positive number, found {0}.</source>
-        <translation>sigma_mm：应为正数，现为 {0}。</translation>
+        <translation>sigma_mm：应为正数，现为{0}。</translation>
     </message>
     <message>
         <source>signed distance</source>
@@ -5612,7 +5660,7 @@
     </message>
     <message>
         <source>since {0}: {1}</source>
-        <translation>自 {0} 起：{1}</translation>
+        <translation>自{0}起：{1}</translation>
     </message>
     <message>
         <source>software</source>
@@ -5672,11 +5720,11 @@
     </message>
     <message>
         <source>stage {0}</source>
-        <translation>位移台 {0}</translation>
+        <translation>位移台{0}</translation>
     </message>
     <message>
         <source>stage {0}{1}</source>
-        <translation>位移台 {0}{1}</translation>
+        <translation>位移台{0}{1}</translation>
     </message>
     <message>
         <source>stale</source>
@@ -5692,7 +5740,7 @@
     </message>
     <message>
         <source>start {0} is aligned</source>
-        <translation>正在对齐初值 {0}</translation>
+        <translation>正在对齐初值{0}</translation>
     </message>
     <message>
         <source>started over, {0} deleted</source>
@@ -5712,7 +5760,7 @@
     </message>
     <message>
         <source>stop {0}</source>
-        <translation>挡块 {0}</translation>
+        <translation>挡块{0}</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -5756,7 +5804,7 @@
     </message>
     <message>
         <source>tessellation of {0}: deflection ({1} mm) and angle ({2} rad) must be greater than zero.</source>
-        <translation>{0} 的网格化：弦高误差（{1} mm）和角度（{2} rad）必须大于零。</translation>
+        <translation>{0}的网格化：弦高误差（{1} mm）和角度（{2} rad）必须大于零。</translation>
     </message>
     <message>
         <source>test</source>
@@ -5788,7 +5836,7 @@
     </message>
     <message>
         <source>the block expands to {0} bytes</source>
-        <translation>数据块展开为 {0} 字节</translation>
+        <translation>数据块展开为{0}字节</translation>
     </message>
     <message>
         <source>the block is longer than announced</source>
@@ -5796,7 +5844,7 @@
     </message>
     <message>
         <source>the bytes {0}</source>
-        <translation>字节 {0}</translation>
+        <translation>字节{0}</translation>
     </message>
     <message>
         <source>the connection is gone. Check its cable and power, then connect it again.</source>
@@ -5804,11 +5852,11 @@
     </message>
     <message>
         <source>the head of grinder {0} turns from {1} to {2} degrees, {3} degrees was asked for. Choose another angle.</source>
-        <translation>{0}砂带磨床的浮动头可从 {1} 转到 {2} 度，要求的是 {3} 度。请选择其他角度。</translation>
+        <translation>{0}砂带磨床的浮动头可从{1}转到{2}度，要求的是{3}度。请选择其他角度。</translation>
     </message>
     <message>
         <source>the header says {0} triangles, that is {1} bytes, the file has {2}. The file is cut short or no STL.</source>
-        <translation>文件头声明 {0} 个三角形，即 {1} 字节，而文件有 {2} 字节。文件被截断或不是 STL。</translation>
+        <translation>文件头声明{0}个三角形，即{1}字节，而文件有{2}字节。文件被截断或不是 STL。</translation>
     </message>
     <message>
         <source>the motion was not wanted. It stands where it was stopped.</source>
@@ -5820,11 +5868,11 @@
     </message>
     <message>
         <source>the nearest point is {0} mm away from the model&apos;s box</source>
-        <translation>最近的点距模型包围盒 {0} mm</translation>
+        <translation>最近的点距模型包围盒{0} mm</translation>
     </message>
     <message>
         <source>the number of elements {0}</source>
-        <translation>元素数量 {0}</translation>
+        <translation>元素数量{0}</translation>
     </message>
     <message>
         <source>the pose is out of reach. Choose another one.</source>
@@ -5848,7 +5896,7 @@
     </message>
     <message>
         <source>there is no grinder {0}; there are {1}.</source>
-        <translation>没有{0}砂带磨床；现有 {1}。</translation>
+        <translation>没有{0}砂带磨床；现有{1}。</translation>
     </message>
     <message>
         <source>thinning the scan</source>
@@ -5868,7 +5916,7 @@
     </message>
     <message>
         <source>tilt {0} deg</source>
-        <translation>倾角 {0} deg</translation>
+        <translation>倾角{0} deg</translation>
     </message>
     <message>
         <source>time</source>
@@ -5880,15 +5928,15 @@
     </message>
     <message>
         <source>tip {0} in flange</source>
-        <translation>法兰中的针尖 {0}</translation>
+        <translation>法兰中的针尖{0}</translation>
     </message>
     <message>
         <source>to go on {0}</source>
-        <translation>继续 {0}</translation>
+        <translation>继续{0}</translation>
     </message>
     <message>
         <source>to probe {0} points of the airfoil on grinder {1} (outline shown)</source>
-        <translation>在{1}砂带磨床上探测叶身的 {0} 个点（显示轮廓）</translation>
+        <translation>在{1}砂带磨床上探测叶身的{0}个点（显示轮廓）</translation>
     </message>
     <message>
         <source>to the scanning pose &apos;{0}&apos;</source>
@@ -5940,7 +5988,7 @@
     </message>
     <message>
         <source>touch {0} (counted from 0)</source>
-        <translation>触测 {0}（从 0 计）</translation>
+        <translation>触测{0}（从 0 计）</translation>
     </message>
     <message>
         <source>touches and readings</source>
@@ -5948,7 +5996,7 @@
     </message>
     <message>
         <source>touches: expected N angles and N points of three numbers, found shapes {0} and {1}.</source>
-        <translation>触测：应为 N 个角度和 N 个三个数的点，现形状为 {0} 和 {1}。</translation>
+        <translation>触测：应为 N 个角度和 N 个三个数的点，现形状为{0}和{1}。</translation>
     </message>
     <message>
         <source>touches: expected one angle and three coordinates per touch, all numbers.</source>
@@ -5960,7 +6008,7 @@
     </message>
     <message>
         <source>translation along {0}</source>
-        <translation>沿 {0} 的平移</translation>
+        <translation>沿{0}的平移</translation>
     </message>
     <message>
         <source>translation of the measuring frame along base</source>
@@ -6004,7 +6052,11 @@
     </message>
     <message>
         <source>u, v, error_mm: expected three columns of equal length, found {0}.</source>
-        <translation>u、v、error_mm：应为三个等长的列，现为 {0}。</translation>
+        <translation>u、v、error_mm：应为三个等长的列，现为{0}。</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>数据库文件无法打开</translation>
     </message>
     <message>
         <source>uncertainty, k = 2</source>
@@ -6060,7 +6112,7 @@
     </message>
     <message>
         <source>wheel_radius_mm: expected the wheel&apos;s radius in mm (2 to 1000), found {0}.</source>
-        <translation>wheel_radius_mm：应为以 mm 计的接触轮半径（2 到 1000），现为 {0}。</translation>
+        <translation>wheel_radius_mm：应为以 mm 计的接触轮半径（2 到 1000），现为{0}。</translation>
     </message>
     <message>
         <source>where one more scan would add most</source>
@@ -6084,7 +6136,7 @@
     </message>
     <message>
         <source>writing the program {0}</source>
-        <translation>正在写出程序 {0}</translation>
+        <translation>正在写出程序{0}</translation>
     </message>
     <message>
         <source>writing the report</source>
@@ -6108,7 +6160,7 @@
     </message>
     <message>
         <source>{0} As given, the best fit leaves {1} mm RMS.</source>
-        <translation>{0}按所给数据，最佳拟合留有 {1} mm RMS。</translation>
+        <translation>{0}按所给数据，最佳拟合留有{1} mm RMS。</translation>
     </message>
     <message>
         <source>{0} Choose planes and cylinders.</source>
@@ -6127,8 +6179,12 @@
         <translation>{0}（再次）</translation>
     </message>
     <message>
+        <source>{0} and others</source>
+        <translation>{0}等</translation>
+    </message>
+    <message>
         <source>{0} and {1} of it on the model</source>
-        <translation>{0}，其中 {1} 在模型上</translation>
+        <translation>{0}，其中{1}在模型上</translation>
     </message>
     <message>
         <source>{0} angle</source>
@@ -6144,11 +6200,11 @@
     </message>
     <message>
         <source>{0} cannot go from {1} to {2} {3}: the limits are {4} to {5} {6}. Choose a target inside them.</source>
-        <translation>{0}不能从 {1} 到 {2} {3}：限值为 {4} 到 {5} {6}。请选择限值以内的目标。</translation>
+        <translation>{0}不能从{1}到{2} {3}：限值为{4}到{5} {6}。请选择限值以内的目标。</translation>
     </message>
     <message>
         <source>{0} faces are chosen, at least {1} are needed. Choose more.</source>
-        <translation>选择了 {0} 个面，至少需要 {1} 个。请选择更多。</translation>
+        <translation>选择了{0}个面，至少需要{1}个。请选择更多。</translation>
     </message>
     <message>
         <source>{0} failed. {1}</source>
@@ -6156,7 +6212,7 @@
     </message>
     <message>
         <source>{0} flange poses but {1} ball centres: each observation needs one of each.</source>
-        <translation>有 {0} 个法兰位姿但有 {1} 个球心：每个观测两者各需一个。</translation>
+        <translation>有{0}个法兰位姿但有{1}个球心：每个观测两者各需一个。</translation>
     </message>
     <message>
         <source>{0} force</source>
@@ -6188,11 +6244,11 @@
     </message>
     <message>
         <source>{0} is missing; expected a table of that name.</source>
-        <translation>缺少 {0}；应有该名称的表。</translation>
+        <translation>缺少{0}；应有该名称的表。</translation>
     </message>
     <message>
         <source>{0} is no command</source>
-        <translation>{0} 不是命令</translation>
+        <translation>{0}不是命令</translation>
     </message>
     <message>
         <source>{0} is not accepted yet.</source>
@@ -6216,39 +6272,39 @@
     </message>
     <message>
         <source>{0} is {1} {2}, the limit is {3} {4}. {5}</source>
-        <translation>{0}为 {1} {2}，限值为 {3} {4}。{5}</translation>
+        <translation>{0}为{1} {2}，限值为{3} {4}。{5}</translation>
     </message>
     <message>
         <source>{0} is {1}, expected &quot;property TYPE NAME&quot; with TYPE such as float or double.</source>
-        <translation>{0}为 {1}，应为“property TYPE NAME”，其中 TYPE 例如 float 或 double。</translation>
+        <translation>{0}为{1}，应为“property TYPE NAME”，其中 TYPE 例如 float 或 double。</translation>
     </message>
     <message>
         <source>{0} is {1}, expected format, element, property or comment.</source>
-        <translation>{0}为 {1}，应为 format、element、property 或 comment。</translation>
+        <translation>{0}为{1}，应为 format、element、property 或 comment。</translation>
     </message>
     <message>
         <source>{0} lines of an earlier clamping or of other frames do not count any more.</source>
-        <translation>有 {0} 条线属于先前的装夹或其他坐标系，不再有效。</translation>
+        <translation>有{0}条线属于先前的装夹或其他坐标系，不再有效。</translation>
     </message>
     <message>
         <source>{0} moved by {1} mm{2}</source>
-        <translation>{0}移动了 {1} mm{2}</translation>
+        <translation>{0}移动了{1} mm{2}</translation>
     </message>
     <message>
         <source>{0} must be above 0 mm, found {1}.</source>
-        <translation>{0} 必须大于 0 mm，现为 {1}。</translation>
+        <translation>{0}必须大于 0 mm，现为{1}。</translation>
     </message>
     <message>
         <source>{0} must lie in {1} .. {2} of the surface, found {3} .. {4}.</source>
-        <translation>{0} 必须在曲面的 {1} .. {2} 范围内，现为 {3} .. {4}。</translation>
+        <translation>{0}必须在曲面的{1} .. {2}范围内，现为{3} .. {4}。</translation>
     </message>
     <message>
         <source>{0} names the format {1}, expected one of {2}.</source>
-        <translation>{0}的格式为 {1}，应为 {2} 之一。</translation>
+        <translation>{0}的格式为{1}，应为{2}之一。</translation>
     </message>
     <message>
         <source>{0} names the property {1} a second time.</source>
-        <translation>{0}再次给出了属性 {1}。</translation>
+        <translation>{0}再次给出了属性{1}。</translation>
     </message>
     <message>
         <source>{0} needs {1}, which has no result yet.</source>
@@ -6260,11 +6316,11 @@
     </message>
     <message>
         <source>{0} observations (the first is {1}) are the only witnesses of something; at most {2} may be. Add poses like them.</source>
-        <translation>有 {0} 个观测（第一个为{1}）是某个量的唯一见证；最多可有 {2} 个。请增加与它们相似的位姿。</translation>
+        <translation>有{0}个观测（第一个为{1}）是某个量的唯一见证；最多可有{2}个。请增加与它们相似的位姿。</translation>
     </message>
     <message>
         <source>{0} of at least {1} pairs are picked: pick {2} more, each on the scan and on the CAD model, spread over the whole blade.</source>
-        <translation>已选取 {0} 个点对，至少需要 {1} 个：请再选取 {2} 个，每个都在扫描和 CAD 模型上选取，分布在整个叶片上。</translation>
+        <translation>已选取{0}个点对，至少需要{1}个：请再选取{2}个，每个都在扫描和 CAD 模型上选取，分布在整个叶片上。</translation>
     </message>
     <message>
         <source>{M} in {B}, turn</source>
@@ -6284,11 +6340,11 @@
     </message>
     <message>
         <source>± there (k = 2) from {0} to {1} µm</source>
-        <translation>该处的 ±（k = 2）从 {0} 变为 {1} µm</translation>
+        <translation>该处的 ±（k = 2）从{0}变为{1} µm</translation>
     </message>
     <message>
         <source>{0} of {1} check lines are left out. A check that fails may not be left out: delete it and probe it again.</source>
-        <translation>{1} 条检验线中有 {0} 条被排除。不合格的检验不得排除：请删除后重新探测。</translation>
+        <translation>{1}条检验线中有{0}条被排除。不合格的检验不得排除：请删除后重新探测。</translation>
     </message>
     <message>
         <source>(u {0}, v {1})</source>
@@ -6412,31 +6468,31 @@
     </message>
     <message>
         <source>{0} of {1} grid nodes have no sample: {2}{3}.</source>
-        <translation>{1} 个网格节点中有 {0} 个没有样本：{2}{3}。</translation>
+        <translation>{1}个网格节点中有{0}个没有样本：{2}{3}。</translation>
     </message>
     <message>
         <source>{0} of {1} lines are left out, at most {2} may be. Delete them and probe them again.</source>
-        <translation>{1} 条线中有 {0} 条被排除，最多可有 {2} 条。请删除后重新探测。</translation>
+        <translation>{1}条线中有{0}条被排除，最多可有{2}条。请删除后重新探测。</translation>
     </message>
     <message>
         <source>{0} of {1} lines of the airfoil are probed.</source>
-        <translation>叶身的 {1} 条线中已探测 {0} 条。</translation>
+        <translation>叶身的{1}条线中已探测{0}条。</translation>
     </message>
     <message>
         <source>{0} of {1} planned scans are missing: {2}. Take the missing scans.</source>
-        <translation>{1} 次计划扫描中缺少 {0} 次：{2}。请采集缺少的扫描。</translation>
+        <translation>{1}次计划扫描中缺少{0}次：{2}。请采集缺少的扫描。</translation>
     </message>
     <message>
         <source>{0} of {1} planned touches and readings are missing. Take the missing ones.</source>
-        <translation>{1} 次计划的触测和读数中缺少 {0} 次。请采集缺少的。</translation>
+        <translation>{1}次计划的触测和读数中缺少{0}次。请采集缺少的。</translation>
     </message>
     <message>
         <source>{0} of {1} points were found to be wrong.</source>
-        <translation>{1} 个点中有 {0} 个被判为错误。</translation>
+        <translation>{1}个点中有{0}个被判为错误。</translation>
     </message>
     <message>
         <source>{0} of {1} touches were rejected, at most {2} may be. Check that the tip sits in the cone and repeat.</source>
-        <translation>{1} 次触测中有 {0} 次被剔除，最多可有 {2} 次。请检查针尖是否坐落在锥窝内，然后重做。</translation>
+        <translation>{1}次触测中有{0}次被剔除，最多可有{2}次。请检查针尖是否坐落在锥窝内，然后重做。</translation>
     </message>
     <message>
         <source>{0} of {1} {2}</source>
@@ -6444,31 +6500,31 @@
     </message>
     <message>
         <source>{0} or normal, sample {1}: not a number ({2} such samples).</source>
-        <translation>{0}或法线，样本 {1}：不是数字（这样的样本有 {2} 个）。</translation>
+        <translation>{0}或法线，样本{1}：不是数字（这样的样本有{2}个）。</translation>
     </message>
     <message>
         <source>{0} pairs are picked.</source>
-        <translation>已选取 {0} 个点对。</translation>
+        <translation>已选取{0}个点对。</translation>
     </message>
     <message>
         <source>{0} samples</source>
-        <translation>{0} 个样本</translation>
+        <translation>{0}个样本</translation>
     </message>
     <message>
         <source>{0} samples are too few for {1} unknowns: nothing is left to estimate the noise from. Use fewer intervals, or state the noise.</source>
-        <translation>{0} 个样本对 {1} 个未知数太少：没有剩余数据可用来估计噪声。请减少区间数，或给出噪声。</translation>
+        <translation>{0}个样本对{1}个未知数太少：没有剩余数据可用来估计噪声。请减少区间数，或给出噪声。</translation>
     </message>
     <message>
         <source>{0} samples with an error, at least {1} are needed. Measure more points.</source>
-        <translation>有误差的样本为 {0} 个，至少需要 {1} 个。请测量更多的点。</translation>
+        <translation>有误差的样本为{0}个，至少需要{1}个。请测量更多的点。</translation>
     </message>
     <message>
         <source>{0} scans are left out.</source>
-        <translation>有 {0} 次扫描被排除。</translation>
+        <translation>有{0}次扫描被排除。</translation>
     </message>
     <message>
         <source>{0} serial_pattern: {1} is no regular expression ({2}).</source>
-        <translation>{0} serial_pattern：{1} 不是正则表达式（{2}）。</translation>
+        <translation>{0} serial_pattern：{1}不是正则表达式（{2}）。</translation>
     </message>
     <message>
         <source>{0} stands on steps that are not accepted. Accept them first.</source>
@@ -6476,7 +6532,7 @@
     </message>
     <message>
         <source>{0} touches are left out.</source>
-        <translation>有 {0} 次触测被排除。</translation>
+        <translation>有{0}次触测被排除。</translation>
     </message>
     <message>
         <source>{0} waits to be accepted.</source>
@@ -6492,7 +6548,7 @@
     </message>
     <message>
         <source>{0} was not found in the scan: the best pose puts {1} of it on the model, at least {2} is needed. Check the blade type, and scan edge plate and shroud with less of the fixture.</source>
-        <translation>扫描中没有找到{0}：最佳位姿使其 {1} 落在模型上，至少需要 {2}。请检查叶片型号，并扫描缘板和叶冠，减少夹具部分。</translation>
+        <translation>扫描中没有找到{0}：最佳位姿使其{1}落在模型上，至少需要{2}。请检查叶片型号，并扫描缘板和叶冠，减少夹具部分。</translation>
     </message>
     <message>
         <source>{0} was rejected and cannot be accepted. {1}</source>
@@ -6512,31 +6568,31 @@
     </message>
     <message>
         <source>{0} {1} is missing.</source>
-        <translation>缺少 {0} {1}。</translation>
+        <translation>缺少{0} {1}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected a face name or id, found {2}.</source>
-        <translation>{0} {1}：应为面的名称或编号，现为 {2}。</translation>
+        <translation>{0} {1}：应为面的名称或编号，现为{2}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected a list of face names or ids, found {2}.</source>
-        <translation>{0} {1}：应为面的名称或编号的列表，现为 {2}。</translation>
+        <translation>{0} {1}：应为面的名称或编号的列表，现为{2}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected a number {2}, found {3}.</source>
-        <translation>{0} {1}：应为数字{2}，现为 {3}。</translation>
+        <translation>{0} {1}：应为数字{2}，现为{3}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected a text, found {2}.</source>
-        <translation>{0} {1}：应为文本，现为 {2}。</translation>
+        <translation>{0} {1}：应为文本，现为{2}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected a whole number of at least {2}, found {3}.</source>
-        <translation>{0} {1}：应为不小于 {2} 的整数，现为 {3}。</translation>
+        <translation>{0} {1}：应为不小于{2}的整数，现为{3}。</translation>
     </message>
     <message>
         <source>{0} {1}: expected three numbers, found {2}.</source>
-        <translation>{0} {1}：应为三个数，现为 {2}。</translation>
+        <translation>{0} {1}：应为三个数，现为{2}。</translation>
     </message>
     <message>
         <source>{0} {1}: unknown field.</source>
@@ -6544,7 +6600,7 @@
     </message>
     <message>
         <source>{0} {1}_max: must be greater than {2}_min = {3}, found {4}.</source>
-        <translation>{0} {1}_max：必须大于 {2}_min = {3}，现为 {4}。</translation>
+        <translation>{0} {1}_max：必须大于{2}_min = {3}，现为{4}。</translation>
     </message>
     <message>
         <source>{0}, RMS on the faces {1} µm</source>
@@ -6552,7 +6608,7 @@
     </message>
     <message>
         <source>{0}, but one of about {1} mm is there. Check the diameter.{2}</source>
-        <translation>{0}，但有一个约 {1} mm 的球。请检查直径。{2}</translation>
+        <translation>{0}，但有一个约{1} mm 的球。请检查直径。{2}</translation>
     </message>
     <message>
         <source>{0}, contacts</source>
@@ -6612,11 +6668,11 @@
     </message>
     <message>
         <source>{0}: Rg by the touches alone, certified {1} mm</source>
-        <translation>{0}：仅由触测得到的 Rg，证书值 {1} mm</translation>
+        <translation>{0}：仅由触测得到的 Rg，证书值{1} mm</translation>
     </message>
     <message>
         <source>{0}: [blade] step: there is no file {1} beside the type file.</source>
-        <translation>{0}：[blade] step：型号文件旁边没有文件 {1}。</translation>
+        <translation>{0}：[blade] step：型号文件旁边没有文件{1}。</translation>
     </message>
     <message>
         <source>{0}: [truth.{1}] lacks or does not know: {2}.</source>
@@ -6624,19 +6680,19 @@
     </message>
     <message>
         <source>{0}: a PCD file must begin with header lines VERSION and FIELDS, found {1}.</source>
-        <translation>{0}：PCD 文件必须以文件头行 VERSION 和 FIELDS 开头，现为 {1}。</translation>
+        <translation>{0}：PCD 文件必须以文件头行 VERSION 和 FIELDS 开头，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: a PLY file must begin with a line &quot;ply&quot;, found {1}.</source>
-        <translation>{0}：PLY 文件必须以一行“ply”开头，现为 {1}。</translation>
+        <translation>{0}：PLY 文件必须以一行“ply”开头，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: after the {1} vertices of the header {2} bytes are left, expected {3}. The header does not describe this file.</source>
-        <translation>{0}：文件头的 {1} 个顶点之后还剩 {2} 字节，应为 {3}。文件头与该文件不符。</translation>
+        <translation>{0}：文件头的{1}个顶点之后还剩{2}字节，应为{3}。文件头与该文件不符。</translation>
     </message>
     <message>
         <source>{0}: all {1} points are NaN or (0, 0, 0), which means &quot;no measurement&quot;. Scan again with more exposure or a shorter distance.</source>
-        <translation>{0}：全部 {1} 个点为 NaN 或 (0, 0, 0)，即“无测量值”。请加大曝光或缩短距离重新扫描。</translation>
+        <translation>{0}：全部{1}个点为 NaN 或 (0, 0, 0)，即“无测量值”。请加大曝光或缩短距离重新扫描。</translation>
     </message>
     <message>
         <source>{0}: arc between the outermost touches</source>
@@ -6648,7 +6704,7 @@
     </message>
     <message>
         <source>{0}: byte {1} is {2}; the file is binary, expected text with x y z per line.</source>
-        <translation>{0}：第 {1} 字节为 {2}；文件是二进制的，应为每行 x y z 的文本。</translation>
+        <translation>{0}：第{1}字节为{2}；文件是二进制的，应为每行 x y z 的文本。</translation>
     </message>
     <message>
         <source>{0}: cannot be read as a cell file: {1}</source>
@@ -6660,11 +6716,11 @@
     </message>
     <message>
         <source>{0}: expected 1 or -1, found {1}.</source>
-        <translation>{0}：应为 1 或 -1，现为 {1}。</translation>
+        <translation>{0}：应为 1 或 -1，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected [first, last] with first below last, found {1}.</source>
-        <translation>{0}：应为 [first, last] 且 first 小于 last，现为 {1}。</translation>
+        <translation>{0}：应为 [first, last] 且 first 小于 last，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected a 4x4 matrix of numbers, row by row.</source>
@@ -6672,35 +6728,35 @@
     </message>
     <message>
         <source>{0}: expected a 4x4 matrix, found shape {1}.</source>
-        <translation>{0}：应为 4x4 矩阵，现形状为 {1}。</translation>
+        <translation>{0}：应为 4x4 矩阵，现形状为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected a length of at least 0.001 mm, found {1}.</source>
-        <translation>{0}：长度应至少为 0.001 mm，现为 {1}。</translation>
+        <translation>{0}：长度应至少为 0.001 mm，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected a list of {1} numbers, found {2}.</source>
-        <translation>{0}：应为 {1} 个数的列表，现为 {2}。</translation>
+        <translation>{0}：应为{1}个数的列表，现为{2}。</translation>
     </message>
     <message>
         <source>{0}: expected a number above zero, found {1}.</source>
-        <translation>{0}：应为大于零的数，现为 {1}。</translation>
+        <translation>{0}：应为大于零的数，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected a number, found {1}.</source>
-        <translation>{0}：应为数字，现为 {1}。</translation>
+        <translation>{0}：应为数字，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected a whole number, found {1}.</source>
-        <translation>{0}：应为整数，现为 {1}。</translation>
+        <translation>{0}：应为整数，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected one element &quot;vertex&quot; in the PLY header, found {1}.</source>
-        <translation>{0}：PLY 文件头中应有一个“vertex”元素，现为 {1}。</translation>
+        <translation>{0}：PLY 文件头中应有一个“vertex”元素，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected rows of three numbers in mm (N x 3), found shape {1}.</source>
-        <translation>{0}：应为每行三个数（mm，N x 3），现形状为 {1}。</translation>
+        <translation>{0}：应为每行三个数（mm，N x 3），现形状为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected rows of three numbers in mm.</source>
@@ -6708,27 +6764,27 @@
     </message>
     <message>
         <source>{0}: expected text, found {1}.</source>
-        <translation>{0}：应为文本，现为 {1}。</translation>
+        <translation>{0}：应为文本，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected the fields x y z once each, found {1}.</source>
-        <translation>{0}：字段 x y z 应各出现一次，现为 {1}。</translation>
+        <translation>{0}：字段 x y z 应各出现一次，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected true or false, found {1}.</source>
-        <translation>{0}：应为 true 或 false，现为 {1}。</translation>
+        <translation>{0}：应为 true 或 false，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: expected {1} numbers, found {2}.</source>
-        <translation>{0}：应为 {1} 个数，现为 {2}。</translation>
+        <translation>{0}：应为{1}个数，现为{2}。</translation>
     </message>
     <message>
         <source>{0}: format {1}, expected {2}. Use {3} to open it.</source>
-        <translation>{0}：格式为 {1}，应为 {2}。请使用 {3} 打开。</translation>
+        <translation>{0}：格式为{1}，应为{2}。请使用{3}打开。</translation>
     </message>
     <message>
         <source>{0}: head axis in {B}, direction {1}</source>
-        <translation>{0}：浮动头轴在 {B} 中，方向 {1}</translation>
+        <translation>{0}：浮动头轴在 {B} 中，方向{1}</translation>
     </message>
     <message>
         <source>{0}: head axis, uncertainty of its direction (k = 2)</source>
@@ -6736,23 +6792,23 @@
     </message>
     <message>
         <source>{0}: line {1} has {2} characters, expected x y z.</source>
-        <translation>{0}：第 {1} 行有 {2} 个字符，应为 x y z。</translation>
+        <translation>{0}：第{1}行有{2}个字符，应为 x y z。</translation>
     </message>
     <message>
         <source>{0}: line {1} is {2}, expected {3} numbers{4}.</source>
-        <translation>{0}：第 {1} 行为 {2}，应为 {3} 个数{4}。</translation>
+        <translation>{0}：第{1}行为{2}，应为{3}个数{4}。</translation>
     </message>
     <message>
         <source>{0}: line {1} names {2} columns but not x, y and z once each: {3}. Name the three columns x, y, z.</source>
-        <translation>{0}：第 {1} 行命名了 {2} 列，但 x、y、z 没有各出现一次：{3}。请将三列命名为 x、y、z。</translation>
+        <translation>{0}：第{1}行命名了{2}列，但 x、y、z 没有各出现一次：{3}。请将三列命名为 x、y、z。</translation>
     </message>
     <message>
         <source>{0}: line {1} of the PCD header begins with {2}, expected one of {3}.</source>
-        <translation>{0}：PCD 文件头第 {1} 行以 {2} 开头，应为 {3} 之一。</translation>
+        <translation>{0}：PCD 文件头第{1}行以{2}开头，应为{3}之一。</translation>
     </message>
     <message>
         <source>{0}: line {1} of the PLY header</source>
-        <translation>{0}：PLY 文件头第 {1} 行</translation>
+        <translation>{0}：PLY 文件头第{1}行</translation>
     </message>
     <message>
         <source>{0}: missing from the path job.</source>
@@ -6764,7 +6820,7 @@
     </message>
     <message>
         <source>{0}: no face {1}. The model has faces 1 to {2}; names: {3}.</source>
-        <translation>{0}：没有面 {1}。模型有面 1 到 {2}；名称：{3}。</translation>
+        <translation>{0}：没有面{1}。模型有面 1 到{2}；名称：{3}。</translation>
     </message>
     <message>
         <source>{0}: no session can be begun here ({1}). Check the disk.</source>
@@ -6776,7 +6832,7 @@
     </message>
     <message>
         <source>{0}: no session here, {1} is missing. Give the folder of a session.</source>
-        <translation>{0}：此处没有会话，缺少 {1}。请给出会话的文件夹。</translation>
+        <translation>{0}：此处没有会话，缺少{1}。请给出会话的文件夹。</translation>
     </message>
     <message>
         <source>{0}: no such truth setting: {1}.</source>
@@ -6784,11 +6840,11 @@
     </message>
     <message>
         <source>{0}: none of its {1} faces is a plane or a cylinder that registration can use.</source>
-        <translation>{0}：其 {1} 个面中没有配准可用的平面或圆柱面。</translation>
+        <translation>{0}：其{1}个面中没有配准可用的平面或圆柱面。</translation>
     </message>
     <message>
         <source>{0}: not a STEP file; it begins with {1}, expected {2}.</source>
-        <translation>{0}：不是 STEP 文件；它以 {1} 开头，应为 {2}。</translation>
+        <translation>{0}：不是 STEP 文件；它以{1}开头，应为{2}。</translation>
     </message>
     <message>
         <source>{0}: not a readable STEP file.</source>
@@ -6804,11 +6860,11 @@
     </message>
     <message>
         <source>{0}: origin of {H} in {B},</source>
-        <translation>{0}：{H} 的原点在 {B} 中，</translation>
+        <translation>{0}：{H} 的原点在 {B} 中的位置</translation>
     </message>
     <message>
         <source>{0}: point {1} has a coordinate of {2} mm, beyond any scanner. The file is damaged, or its header describes other data.</source>
-        <translation>{0}：第 {1} 个点的坐标为 {2} mm，超出任何扫描仪的范围。文件已损坏，或其文件头描述的是其他数据。</translation>
+        <translation>{0}：第{1}个点的坐标为{2} mm，超出任何扫描仪的范围。文件已损坏，或其文件头描述的是其他数据。</translation>
     </message>
     <message>
         <source>{0}: residuals of the angle sensor, RMS</source>
@@ -6824,15 +6880,15 @@
     </message>
     <message>
         <source>{0}: the PCD field {1} has COUNT {2}, expected 1.</source>
-        <translation>{0}：PCD 字段 {1} 的 COUNT 为 {2}，应为 1。</translation>
+        <translation>{0}：PCD 字段{1}的 COUNT 为{2}，应为 1。</translation>
     </message>
     <message>
         <source>{0}: the PCD field {1} has COUNT {2}, expected at most 65536.</source>
-        <translation>{0}：PCD 字段 {1} 的 COUNT 为 {2}，应不超过 65536。</translation>
+        <translation>{0}：PCD 字段{1}的 COUNT 为{2}，应不超过 65536。</translation>
     </message>
     <message>
         <source>{0}: the PCD field {1} has TYPE {2} and SIZE {3}, expected e.g. F and 4.</source>
-        <translation>{0}：PCD 字段 {1} 的 TYPE 为 {2}、SIZE 为 {3}，应例如为 F 和 4。</translation>
+        <translation>{0}：PCD 字段{1}的 TYPE 为{2}、SIZE 为{3}，应例如为 F 和 4。</translation>
     </message>
     <message>
         <source>{0}: the PCD header has no DATA line; the file is cut short or damaged.</source>
@@ -6840,11 +6896,11 @@
     </message>
     <message>
         <source>{0}: the PCD header lacks {1}.</source>
-        <translation>{0}：PCD 文件头缺少 {1}。</translation>
+        <translation>{0}：PCD 文件头缺少{1}。</translation>
     </message>
     <message>
         <source>{0}: the PCD header names {1} fields, but {2} SIZE, {3} TYPE and {4} COUNT.</source>
-        <translation>{0}：PCD 文件头命名了 {1} 个字段，但有 {2} 个 SIZE、{3} 个 TYPE 和 {4} 个 COUNT。</translation>
+        <translation>{0}：PCD 文件头命名了{1}个字段，但有{2}个 SIZE、{3}个 TYPE 和{4}个 COUNT。</translation>
     </message>
     <message>
         <source>{0}: the PCD header says DATA {1}, expected ascii, binary or binary_compressed.</source>
@@ -6852,7 +6908,7 @@
     </message>
     <message>
         <source>{0}: the PCD header says {1} points, but WIDTH {2} times HEIGHT {3} is {4}.</source>
-        <translation>{0}：PCD 文件头声明 {1} 个点，但 WIDTH {2} 乘以 HEIGHT {3} 为 {4}。</translation>
+        <translation>{0}：PCD 文件头声明{1}个点，但 WIDTH {2}乘以 HEIGHT {3}为{4}。</translation>
     </message>
     <message>
         <source>{0}: the PLY header has no end_header line; the file is cut short or damaged.</source>
@@ -6888,19 +6944,19 @@
     </message>
     <message>
         <source>{0}: the STEP file is cut off; its end mark {1} is missing after {2} bytes. Copy or export it again.</source>
-        <translation>{0}：STEP 文件被截断；{2} 字节之后缺少结束标记 {1}。请重新复制或导出。</translation>
+        <translation>{0}：STEP 文件被截断；{2}字节之后缺少结束标记{1}。请重新复制或导出。</translation>
     </message>
     <message>
         <source>{0}: the STEP file is damaged at {1}; expected `#number = NAME(..)`. Copy or export it again.</source>
-        <translation>{0}：STEP 文件在 {1} 处损坏；应为 `#number = NAME(..)`。请重新复制或导出。</translation>
+        <translation>{0}：STEP 文件在{1}处损坏；应为 `#number = NAME(..)`。请重新复制或导出。</translation>
     </message>
     <message>
         <source>{0}: the STEP file is damaged; a {1} entity has fields of the wrong kind. Copy or export it again.</source>
-        <translation>{0}：STEP 文件已损坏；{1} 实体的字段类型错误。请重新复制或导出。</translation>
+        <translation>{0}：STEP 文件已损坏；{1}实体的字段类型错误。请重新复制或导出。</translation>
     </message>
     <message>
         <source>{0}: the STEP file is damaged; {1} entities are referred to but missing, the first is #{2}. Copy or export it again.</source>
-        <translation>{0}：STEP 文件已损坏；有 {1} 个被引用的实体缺失，第一个为 #{2}。请重新复制或导出。</translation>
+        <translation>{0}：STEP 文件已损坏；有{1}个被引用的实体缺失，第一个为 #{2}。请重新复制或导出。</translation>
     </message>
     <message>
         <source>{0}: the STEP file was changed after it was read. Read it anew.</source>
@@ -6932,15 +6988,15 @@
     </message>
     <message>
         <source>{0}: the cloud of sample {1} cannot be read ({2}).</source>
-        <translation>{0}：样本 {1} 的点云无法读取（{2}）。</translation>
+        <translation>{0}：样本{1}的点云无法读取（{2}）。</translation>
     </message>
     <message>
         <source>{0}: the compressed body announces {1} bytes, the header {2} points of {3} bytes, that is {4}.</source>
-        <translation>{0}：压缩数据声明 {1} 字节，文件头声明 {2} 个 {3} 字节的点，即 {4}。</translation>
+        <translation>{0}：压缩数据声明{1}字节，文件头声明{2}个{3}字节的点，即{4}。</translation>
     </message>
     <message>
         <source>{0}: the compressed body is damaged: {1}, expected {2} bytes.</source>
-        <translation>{0}：压缩数据已损坏：{1}，应为 {2} 字节。</translation>
+        <translation>{0}：压缩数据已损坏：{1}，应为{2}字节。</translation>
     </message>
     <message>
         <source>{0}: the compressed body is missing; the file is cut short.</source>
@@ -6948,11 +7004,11 @@
     </message>
     <message>
         <source>{0}: the compressed body should have {1} bytes and hold {2}, the file has {3}. The file is cut short or damaged.</source>
-        <translation>{0}：压缩数据应有 {1} 字节并包含 {2}，文件有 {3}。文件被截断或损坏。</translation>
+        <translation>{0}：压缩数据应有{1}字节并包含{2}，文件有{3}。文件被截断或损坏。</translation>
     </message>
     <message>
         <source>{0}: the ending {1} is not a point cloud; supported are {2}.</source>
-        <translation>{0}：扩展名 {1} 不是点云；支持的有 {2}。</translation>
+        <translation>{0}：扩展名{1}不是点云；支持的有{2}。</translation>
     </message>
     <message>
         <source>{0}: the face AIRFOIL is not a non-rational B-spline surface.</source>
@@ -6960,7 +7016,7 @@
     </message>
     <message>
         <source>{0}: the field {1} is missing.</source>
-        <translation>{0}：缺少字段 {1}。</translation>
+        <translation>{0}：缺少字段{1}。</translation>
     </message>
     <message>
         <source>{0}: the file cannot be read: {1}.</source>
@@ -6976,11 +7032,11 @@
     </message>
     <message>
         <source>{0}: the file has {1} GB, at most {2} GB can be read. Thin the cloud.</source>
-        <translation>{0}：文件有 {1} GB，最多可读取 {2} GB。请精简点云。</translation>
+        <translation>{0}：文件有{1} GB，最多可读取{2} GB。请精简点云。</translation>
     </message>
     <message>
         <source>{0}: the file has {1} MB, expected at most {2} MB.</source>
-        <translation>{0}：文件有 {1} MB，最多应为 {2} MB。</translation>
+        <translation>{0}：文件有{1} MB，最多应为{2} MB。</translation>
     </message>
     <message>
         <source>{0}: the file holds no faces.</source>
@@ -7012,7 +7068,7 @@
     </message>
     <message>
         <source>{0}: the first line says {1} points, the file holds {2}. The file is cut short or its first line is wrong.</source>
-        <translation>{0}：第一行声明 {1} 个点，文件包含 {2} 个。文件被截断或第一行有误。</translation>
+        <translation>{0}：第一行声明{1}个点，文件包含{2}个。文件被截断或第一行有误。</translation>
     </message>
     <message>
         <source>{0}: the folder cannot be made ({1}).</source>
@@ -7024,43 +7080,43 @@
     </message>
     <message>
         <source>{0}: the folder {1} does not exist. Create it first.</source>
-        <translation>{0}：文件夹 {1} 不存在。请先创建。</translation>
+        <translation>{0}：文件夹{1}不存在。请先创建。</translation>
     </message>
     <message>
         <source>{0}: the folder {1} is not writable.</source>
-        <translation>{0}：文件夹 {1} 不可写。</translation>
+        <translation>{0}：文件夹{1}不可写。</translation>
     </message>
     <message>
         <source>{0}: the header gives {1} as {2}, expected a whole number.</source>
-        <translation>{0}：文件头给出的 {1} 为 {2}，应为整数。</translation>
+        <translation>{0}：文件头给出的{1}为{2}，应为整数。</translation>
     </message>
     <message>
         <source>{0}: the header says {1} points, the file holds {2}{3}. The file is cut short or its header is wrong.</source>
-        <translation>{0}：文件头声明 {1} 个点，文件包含 {2}{3}。文件被截断或文件头有误。</translation>
+        <translation>{0}：文件头声明{1}个点，文件包含{2}{3}。文件被截断或文件头有误。</translation>
     </message>
     <message>
         <source>{0}: the header says {1} vertices and {2} other elements, the file has {3} more lines. The header does not describe this file.</source>
-        <translation>{0}：文件头声明 {1} 个顶点和 {2} 个其他元素，文件还多出 {3} 行。文件头与该文件不符。</translation>
+        <translation>{0}：文件头声明{1}个顶点和{2}个其他元素，文件还多出{3}行。文件头与该文件不符。</translation>
     </message>
     <message>
         <source>{0}: the header says {1} vertices of {2} bytes, the file holds {3}. The file is cut short or its header is wrong.</source>
-        <translation>{0}：文件头声明 {1} 个 {2} 字节的顶点，文件包含 {3} 个。文件被截断或文件头有误。</translation>
+        <translation>{0}：文件头声明{1}个{2}字节的顶点，文件包含{3}个。文件被截断或文件头有误。</translation>
     </message>
     <message>
         <source>{0}: the header says {1} vertices, the file holds {2}. The file is cut short or its header is wrong.</source>
-        <translation>{0}：文件头声明 {1} 个顶点，文件包含 {2} 个。文件被截断或文件头有误。</translation>
+        <translation>{0}：文件头声明{1}个顶点，文件包含{2}个。文件被截断或文件头有误。</translation>
     </message>
     <message>
         <source>{0}: the last row must be 0 0 0 1, found {1}.{2}</source>
-        <translation>{0}：最后一行必须为 0 0 0 1，现为 {1}。{2}</translation>
+        <translation>{0}：最后一行必须为 0 0 0 1，现为{1}。{2}</translation>
     </message>
     <message>
         <source>{0}: the list element {1} stands before the vertices, which is not supported. Write the vertices first.</source>
-        <translation>{0}：列表元素 {1} 位于顶点之前，不支持。请先写顶点。</translation>
+        <translation>{0}：列表元素{1}位于顶点之前，不支持。请先写顶点。</translation>
     </message>
     <message>
         <source>{0}: the low end must be below the high end, found {1}.</source>
-        <translation>{0}：下端必须小于上端，现为 {1}。</translation>
+        <translation>{0}：下端必须小于上端，现为{1}。</translation>
     </message>
     <message>
         <source>{0}: the matrix contains NaN or infinite numbers.</source>
@@ -7072,11 +7128,11 @@
     </message>
     <message>
         <source>{0}: the rotation part is left-handed or singular (determinant {1}, expected +1). Check for swapped or mirrored axes.</source>
-        <translation>{0}：旋转部分是左手系或奇异的（行列式 {1}，应为 +1）。请检查轴是否互换或镜像。</translation>
+        <translation>{0}：旋转部分是左手系或奇异的（行列式{1}，应为 +1）。请检查轴是否互换或镜像。</translation>
     </message>
     <message>
         <source>{0}: the rotation part is scaled (axis lengths {1}, {2}, {3}, expected 1). Give a pure rotation.</source>
-        <translation>{0}：旋转部分有缩放（轴长 {1}、{2}、{3}，应为 1）。请给出纯旋转。</translation>
+        <translation>{0}：旋转部分有缩放（轴长{1}、{2}、{3}，应为 1）。请给出纯旋转。</translation>
     </message>
     <message>
         <source>{0}: the session cannot be written here ({1}). Open it read-only, or copy the folder to where you may write.</source>
@@ -7120,15 +7176,15 @@
     </message>
     <message>
         <source>{0}: the translation is only {1} long, expected mm. It looks like metres: multiply by 1000.</source>
-        <translation>{0}：平移只有 {1} 长，单位应为 mm。看起来单位是米：请乘以 1000。</translation>
+        <translation>{0}：平移只有{1}长，单位应为 mm。看起来单位是米：请乘以 1000。</translation>
     </message>
     <message>
         <source>{0}: the vertices have a list property {1}, which is not supported.</source>
-        <translation>{0}：顶点有列表属性 {1}，不支持。</translation>
+        <translation>{0}：顶点有列表属性{1}，不支持。</translation>
     </message>
     <message>
         <source>{0}: the vertices lack {1}; their properties are {2}.</source>
-        <translation>{0}：顶点缺少 {1}；其属性为 {2}。</translation>
+        <translation>{0}：顶点缺少{1}；其属性为{2}。</translation>
     </message>
     <message>
         <source>{0}: there is a session already. Choose another folder or open that one.</source>
@@ -7136,7 +7192,7 @@
     </message>
     <message>
         <source>{0}: there is no file {1}.</source>
-        <translation>{0}：没有文件 {1}。</translation>
+        <translation>{0}：没有文件{1}。</translation>
     </message>
     <message>
         <source>{0}: there is no such file.</source>
@@ -7180,7 +7236,7 @@
     </message>
     <message>
         <source>{0}: unknown table [{1}]; expected {2}.</source>
-        <translation>{0}：未知的表 [{1}]；应为 {2}。</translation>
+        <translation>{0}：未知的表 [{1}]；应为{2}。</translation>
     </message>
     <message>
         <source>{0}: wheel centre, uncertainty (k = 2)</source>
@@ -7192,43 +7248,43 @@
     </message>
     <message>
         <source>{0}: {1} cannot be read: {2}.</source>
-        <translation>{0}：{1} 无法读取：{2}。</translation>
+        <translation>{0}：{1}无法读取：{2}。</translation>
     </message>
     <message>
         <source>{0}: {1} faces are named {2} (ids {3}). Choose one by its id.</source>
-        <translation>{0}：有 {1} 个面名为 {2}（编号 {3}）。请按编号选择。</translation>
+        <translation>{0}：有{1}个面名为{2}（编号{3}）。请按编号选择。</translation>
     </message>
     <message>
         <source>{0}: {1} facets need {2} vertices and an endsolid line, found {3} vertices and {4} endsolid line. The file is cut short or damaged.</source>
-        <translation>{0}：{1} 个三角面需要 {2} 个顶点和一行 endsolid，现有 {3} 个顶点和 {4} 行 endsolid。文件被截断或损坏。</translation>
+        <translation>{0}：{1}个三角面需要{2}个顶点和一行 endsolid，现有{3}个顶点和{4}行 endsolid。文件被截断或损坏。</translation>
     </message>
     <message>
         <source>{0}: {1} has a number with too many digits or is nested too deeply, expected a result.</source>
-        <translation>{0}：{1} 中有位数过多的数字或嵌套过深，应为结果。</translation>
+        <translation>{0}：{1}中有位数过多的数字或嵌套过深，应为结果。</translation>
     </message>
     <message>
         <source>{0}: {1} has neither &apos;{2}&apos; nor &apos;matrix&apos;.</source>
-        <translation>{0}：{1} 既没有“{2}”也没有“matrix”。</translation>
+        <translation>{0}：{1}既没有“{2}”也没有“matrix”。</translation>
     </message>
     <message>
         <source>{0}: {1} holds a rejected result. Repeat that step before planning a path.</source>
-        <translation>{0}：{1} 中的结果是被拒绝的。规划路径前请重做该步骤。</translation>
+        <translation>{0}：{1}中的结果是被拒绝的。规划路径前请重做该步骤。</translation>
     </message>
     <message>
         <source>{0}: {1} is a {2}, expected a B-spline surface (the airfoil).</source>
-        <translation>{0}：{1} 是{2}，应为 B 样条曲面（叶身）。</translation>
+        <translation>{0}：{1}是{2}，应为 B 样条曲面（叶身）。</translation>
     </message>
     <message>
         <source>{0}: {1} is named twice in the list of faces.</source>
-        <translation>{0}：{1} 在面的列表中出现两次。</translation>
+        <translation>{0}：{1}在面的列表中出现两次。</translation>
     </message>
     <message>
         <source>{0}: {1} is not JSON ({2}).</source>
-        <translation>{0}：{1} 不是 JSON（{2}）。</translation>
+        <translation>{0}：{1}不是 JSON（{2}）。</translation>
     </message>
     <message>
         <source>{0}: {H} turned against the drawing about {1} of {B}</source>
-        <translation>{0}：{H} 相对图纸绕 {B} 的 {1} 的转角</translation>
+        <translation>{0}：{H} 相对图纸绕 {B} 的{1}的转角</translation>
     </message>
     <message>
         <source>{0}?mode={1}</source>

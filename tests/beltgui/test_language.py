@@ -10,7 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from beltgui.app import language
 from beltgui.app.sentence_templates import TEMPLATES
-from beltgui.app.sentences import PLACE, Sentences
+from beltgui.app.sentences import Sentences
+from beltgui.app.template import PLACE
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -28,7 +29,8 @@ GERMAN = {
 
 @pytest.fixture
 def german() -> Sentences:
-    return Sentences(list(GERMAN), lambda text: GERMAN.get(text, text))
+    joints = {", ": ", ", " and ": " und "}
+    return Sentences(list(GERMAN), lambda text: GERMAN.get(text, text), joints=joints)
 
 
 @pytest.mark.parametrize(
@@ -40,7 +42,7 @@ def german() -> Sentences:
         ("The ball is 1 mm, the limit is 2 mm. Fasten it. Scan again.",
          "Kugel: 1 mm, erlaubt sind 2 mm. Befestigen. Neu scannen."),
         ("scan 2 of 7: pose 3", "Scan 2 von 7: pose 3"),
-        ("ball, stage and x", "Kugel, Achsen and x"),
+        ("ball, stage and x", "Kugel, Achsen und x"),
         ("one comes before two", "two kommt nach one"),
         ("Nobody wrote this.", "Nobody wrote this."),
         ("Nobody wrote this. Scan again.", "Nobody wrote this. Neu scannen."),
