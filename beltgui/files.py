@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import glob
 import hashlib
 import os
+import re
+import secrets
 import stat
 from pathlib import Path
 
+from beltgui.leftovers import is_running
 from core.errors import InputError
 
 _CHUNK = 1 << 20
+_UNFINISHED = re.compile(r"\..+\.(\d+)\.[0-9a-f]{8}\.part")
 
 
 def sha256_of(path: str | os.PathLike[str]) -> str:
@@ -90,14 +95,16 @@ def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
     """Write a file so that under its name there is the old content or the new, never half of it.
 
     The data go to a temporary file in the same folder, are forced to the disk, and take over the name. On failure the
-    temporary file is removed and an earlier file stays as it was.
+    temporary file is removed and an earlier file stays as it was. Temporary files of killed processes go too.
 
     Raises:
         InputError: the disk is full, the folder is gone, or the like.
     """
     target = Path(os.path.realpath(path))
-    temporary = target.with_name(f".{target.name[:200]}.{os.getpid()}.part")
+    # A number at random: another process, perhaps of another machine, may have the same process number.
+    temporary = target.with_name(f".{target.name[:200]}.{os.getpid()}.{secrets.token_hex(4)}.part")
     try:
+        _remove_unfinished(target)
         with open(temporary, "xb") as file:
             file.write(data)
             file.flush()
@@ -110,6 +117,14 @@ def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
         temporary.unlink(missing_ok=True)
         raise
     _sync_folder(target.parent)
+
+
+def _remove_unfinished(target: Path) -> None:
+    """Remove the temporary files of a file whose writer is gone."""
+    for path in target.parent.glob(f".{glob.escape(target.name[:200])}.*.part"):
+        of = _UNFINISHED.fullmatch(path.name)
+        if of is not None and not is_running(int(of[1])):
+            path.unlink(missing_ok=True)
 
 
 def _sync_folder(folder: Path) -> None:

@@ -110,8 +110,7 @@ def run_demo(
     info = {"software": __version__, "blade": blade.path.name, "cell": cell_file.name, "serial": serial,
             "grinder": GRINDER, "date": date, "simulated": True, "seed": seed,
             "probing_grid": [blade.probing.u_count, blade.probing.v_count]}  # fmt: skip
-    with Session.create(folder, info) as session:
-        _keep_inputs(folder / INPUTS, cell_file, blade)
+    with Session.create(folder, info, fill=lambda: _keep_inputs(folder / INPUTS, cell_file, blade)) as session:
         bench = Bench(session, simulated.plan, blade, model, date)
         found = Commissioning(bench)
 
@@ -143,7 +142,7 @@ def run_demo(
 
 def _keep_inputs(folder: Path, cell_file: Path, blade: BladeType) -> None:
     """A session must be replayable when the files it was made from have changed."""
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)  # of a start that was killed
     for source in (cell_file, blade.path, blade.step_path):
         shutil.copyfile(source, folder / source.name)
 

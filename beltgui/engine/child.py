@@ -9,6 +9,7 @@ import signal
 import threading
 import traceback
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any
 
 NICE = 5  # the screen goes first where both want the processor
@@ -32,7 +33,7 @@ def run_engine(connection: Connection, last_words: str) -> None:
         faulthandler.enable(file)
         ended = _serve(connection)
         faulthandler.disable()
-    os.unlink(last_words)  # nothing to say; the parent may not live to tidy up
+    Path(last_words).unlink(missing_ok=True)  # nothing to say; the parent may not live to tidy up
     if not ended:
         os._exit(1)  # a thread is deep inside a library; everything that was kept is on disk
 

@@ -66,13 +66,7 @@ def begin(command: NewSession) -> Opened:
         "simulated": True, "seed": command.seed, "resolution": command.resolution, "speed": command.speed,
         "probing_grid": list(grid),
     }  # fmt: skip
-    session = Session.create(folder, info)
-    try:
-        _keep_inputs(folder / INPUTS, cell_file, blade)
-    except OSError as error:
-        session.close()
-        raise InputError(f"{folder}: the session's inputs cannot be written ({error.strerror}).") from error
-    return _with_inputs(session)
+    return _with_inputs(Session.create(folder, info, fill=lambda: _keep_inputs(folder / INPUTS, cell_file, blade)))
 
 
 def go_on(command: OpenSession) -> Opened:
@@ -125,6 +119,9 @@ def _text(info: Mapping[str, Any], key: str, session: Session) -> str:
 
 
 def _keep_inputs(folder: Path, cell_file: Path, blade: BladeType) -> None:
-    folder.mkdir(exist_ok=True)
-    for source in (cell_file, blade.path, blade.step_path):
-        shutil.copyfile(source, folder / source.name)
+    try:
+        folder.mkdir(exist_ok=True)
+        for source in (cell_file, blade.path, blade.step_path):
+            shutil.copyfile(source, folder / source.name)
+    except OSError as error:
+        raise InputError(f"{folder}: the session's inputs cannot be written ({error.strerror}).") from error

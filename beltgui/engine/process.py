@@ -16,6 +16,7 @@ from pathlib import Path
 
 from beltgui.engine.child import run_engine
 from beltgui.engine.messages import Command, Event, Shutdown
+from beltgui.leftovers import prefix, sweep
 
 OnEvent = Callable[[Event], None]
 OnEnd = Callable[[str], None]
@@ -101,7 +102,8 @@ def start_engine(on_event: OnEvent, on_end: OnEnd) -> EngineHandle:
     """
     context = multiprocessing.get_context("spawn")
     ours, its = context.Pipe()
-    handle, name = tempfile.mkstemp(prefix="beltcal_engine_", suffix=".txt")
+    sweep()
+    handle, name = tempfile.mkstemp(prefix=prefix("engine"), suffix=".txt")
     os.close(handle)
     process = context.Process(target=run_engine, args=(its, name), name="beltcal engine", daemon=True)
     with _without_main():

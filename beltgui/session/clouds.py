@@ -51,7 +51,12 @@ def finish(folder: Path, unfinished: Path, number: int, step: str) -> str:
 
 
 def tidy(folder: Path, next_number: int) -> None:
-    """Remove what a killed writer left: files under temporary names, and one that had its name but no sample yet."""
+    """Remove what a killed writer left: files under temporary names, and one that had its name but no sample yet.
+
+    Only for who holds the writer's lock: nobody else writes here then.
+    """
+    for path in folder.glob(".*.part"):
+        path.unlink(missing_ok=True)
     clouds = folder / CLOUDS
     clouds.mkdir(exist_ok=True)
     for path in clouds.iterdir():

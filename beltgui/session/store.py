@@ -8,7 +8,7 @@ is imported when a session is opened: this module is light.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -47,8 +47,13 @@ class Session:
         self._stored = results.ResultTable()
 
     @classmethod
-    def create(cls, folder: Path, info: Mapping[str, Any]) -> Session:
+    def create(cls, folder: Path, info: Mapping[str, Any], *, fill: Callable[[], None] = lambda: None) -> Session:
         """Begin a session in a folder that holds none yet.
+
+        Args:
+            folder: For it.
+            info: What is said of it.
+            fill: Puts into the folder what belongs to a whole session; there is none before that is done.
 
         Raises:
             InputError: there is a session already (it is never overwritten), or the folder cannot be written.
@@ -69,6 +74,7 @@ class Session:
             if (folder / DATABASE).exists():  # another process was faster
                 raise InputError(f"{folder}: there is a session already. Choose another folder or open that one.")
             clouds.tidy(folder, 1)
+            fill()
             database = Database.create(folder / DATABASE, {"format": FORMAT, "created": schema.now(), **info})
             clouds.sync_folder(folder.resolve().parent)
         except BaseException:
