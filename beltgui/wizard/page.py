@@ -109,6 +109,9 @@ class StepPage(QWidget):
 
     def show_question(self, question: messages.Question | None) -> None:
         """Ask the person, or take the question away."""
+        if question is not None:
+            # Both at once, if only for a moment, would need more height than a small screen has.
+            self.side.banner.say(None)
         self.question.ask(question)
         self.scene.show_motion(question.path if question is not None else None)
         self._refresh_actions()
