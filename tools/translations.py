@@ -117,6 +117,8 @@ def templates() -> list[str]:
     found = {*SYSTEM, *TOGETHER}
     for file in sorted((ROOT / "resources" / "blades").glob("*.toml")):
         found.add(tomllib.loads(file.read_text(encoding="utf-8"))["blade"]["description"])
+    for file in sorted((ROOT / "resources" / "cells").glob("*.toml")):
+        found.update(re.findall(r'\bname = "([^"]+)"', file.read_text(encoding="utf-8")))
     for place in SPEAKING:
         path = ROOT / place
         for file in sorted(path.rglob("*.py")) if path.is_dir() else [path]:

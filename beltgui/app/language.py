@@ -58,7 +58,7 @@ def install(language: str) -> None:
         raise ValueError(f"{path}: the translation cannot be read. Install the program again.")
     folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     translators = [own]
-    if qt.load(f"qt_{language}", folder):
+    if qt.load(f"qtbase_{language}", folder):
         translators.insert(0, qt)  # the last one installed is asked first
     for translator in translators:
         QCoreApplication.installTranslator(translator)

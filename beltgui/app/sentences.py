@@ -33,7 +33,7 @@ SHORT_WORDS = frozenset({"an", "as", "at", "by", "do", "in", "is", "it", "no", "
 MOST_SENTENCES = 24
 MOST_WAYS = 12
 # Templates with fewer letters, such as `{0} is {1}.`, count only where all that is filled in is known.
-LEAST_WEIGHT = 12
+LEAST_WEIGHT = 10
 MOST_STEPS = 80
 # More than this is no sentence but, say, the report of a crash; it is left as it is.
 MOST_LETTERS = 2000
@@ -132,25 +132,42 @@ class Sentences:
 
     def _ways(self, text: str) -> Iterator[_Said]:
         """From the likeliest on."""
-        if len(text) <= MOST_LETTERS:
-            if text[-1] not in ".!?" and not SENTENCE_END.search(text):
-                # `rotation about a with shift along b`: two things, no rotation about something joined
-                yield from (said for said in self._by_joints(text, whole=True) if said.left == 0)
-            yield from self._by_templates(text)
-        if "\n" in text:
+        templates = self._templates(text)
+        if len(text) > MOST_LETTERS:
+            yield from self._by_templates(text, [one for one in templates if "\n" in one.text])
             yield from self._by_lines(text)
-        elif len(text) <= MOST_LETTERS:
-            yield from self._without_end(text)
-            yield from self._by_sentences(text)
-            yield from self._by_joints(text)
-            yield from self._by_marks(text)
+            return
+        ends = self._ends(text)
+        label = TAIL.fullmatch(text)
+        labelled = label is not None and label[1] in self._plain
+        if text[-1] not in ".!?" and not ends and not labelled:
+            # `rotation about a with shift along b`: two things, no rotation about something joined
+            yield from (said for said in self._by_joints(text, whole=True) if said.left == 0)
+        yield from self._by_templates(text, [one for one in templates if one.sentences > 1 or not ends])
+        if label is not None and labelled:
+            yield _Said(f"{self._translate(label[1])} {label[2]}", 0)
+        yield from self._by_speaker(text)
+        yield from self._by_lines(text)
+        yield from self._by_sentences(text, ends)
+        if ends:
+            yield from self._by_templates(text, [one for one in templates if one.sentences == 1])
+        yield from self._without_end(text)
+        yield from self._by_joints(text)
+        yield from self._by_marks(text)
 
-    def _by_templates(self, text: str) -> Iterator[_Said]:
-        words = words_in(text)
-        found = {id(one): one for word in words for one in self._by_word.get(word, ())}
-        for one in self._by_word.get("", ()):
-            found[id(one)] = one
-        for template in sorted(found.values(), key=lambda one: -one.weight):
+    def _ends(self, text: str) -> list[tuple[int, int]]:
+        """Gaps between sentences; those in brackets are not counted."""
+        shut = [match.span() for match in SHUT.finditer(text)]
+        found = (match.span() for match in SENTENCE_END.finditer(text))
+        return [(a, b) for a, b in found if not any(start < a < stop for start, stop in shut)][:MOST_SENTENCES]
+
+    def _templates(self, text: str) -> list[Template]:
+        """Those that share their rarest word with the text, the longest first."""
+        found = {id(one): one for word in words_in(text) | {""} for one in self._by_word.get(word, ())}
+        return sorted(found.values(), key=lambda one: -one.weight)
+
+    def _by_templates(self, text: str, templates: Sequence[Template]) -> Iterator[_Said]:
+        for template in templates:
             for filled in islice(template.ways(text), MOST_WAYS):
                 said = self._filled(template, filled)
                 if said.left == 0 or template.weight >= LEAST_WEIGHT:
@@ -169,14 +186,22 @@ class Sentences:
             whole = _beside(whole, said[piece] if i % 2 else piece)
         return _Said(whole.strip(), left)
 
-    def _by_lines(self, text: str) -> Iterator[_Said]:
-        lines = [self._best(line) if len(text) <= MOST_LETTERS else _Said(line, _letters(line))
-                 for line in text.split("\n")]  # fmt: skip
-        yield _Said("\n".join(line.text for line in lines), sum(line.left for line in lines))
+    def _by_speaker(self, text: str) -> Iterator[_Said]:
+        """What a device says, such as `scanner: no complete scan arrived`."""
+        speaker, colon, rest = text.partition(": ")
+        if colon and speaker in self._plain:
+            said = self._best(rest)
+            yield _Said(_chain([self._translate(speaker), said.text], self._joints.get(colon, colon)), said.left)
 
-    def _by_sentences(self, text: str) -> Iterator[_Said]:
+    def _by_lines(self, text: str) -> Iterator[_Said]:
+        if "\n" in text:
+            first, rest = text.split("\n", 1)
+            said = self._best(first)
+            others = self._best(rest) if len(rest) <= MOST_LETTERS else _Said(rest, _letters(rest))
+            yield _Said(f"{said.text}\n{others.text}", said.left + others.left)
+
+    def _by_sentences(self, text: str, ends: Sequence[tuple[int, int]]) -> Iterator[_Said]:
         """A text of several sentences, the longest beginning first."""
-        ends = [match.span() for match in SENTENCE_END.finditer(text)][:MOST_SENTENCES]
         for start, stop in reversed(ends):
             first, rest = self._best(text[:start]), self._best(text[stop:])
             between = " " if first.text[-1:].isascii() else ""
@@ -202,15 +227,15 @@ class Sentences:
 
     def _by_marks(self, text: str) -> Iterator[_Said]:
         """A name in quotes, a label with what it is of, a number with what it counts, something in brackets."""
+        if (term := TERM.fullmatch(text)) is not None:
+            rest = self._best(term[2])
+            yield _Said(f"{term[1]} {rest.text}", rest.left)
         if (name := NAME.fullmatch(text)) is not None:
             inner = self._best(name[1])
             yield _Said(f"{self._quotes[0]}{inner.text}{self._quotes[1]}", 0)
         if (label := TAIL.fullmatch(text)) is not None:
             head = self._best(label[1])
             yield _Said(f"{head.text} {label[2]}", head.left)
-        if (term := TERM.fullmatch(text)) is not None:
-            rest = self._best(term[2])
-            yield _Said(f"{term[1]} {rest.text}", rest.left)
         if (brackets := BRACKETS.fullmatch(text)) is not None:
             head, inner = self._best(brackets[1]), self._best(brackets[2])
             wide = not head.text[-1:].isascii() and not inner.text[-1:].isascii()
@@ -241,6 +266,8 @@ def _beside(left: str, right: str) -> str:
     """Two texts put together, with a space where letters of two scripts would touch."""
     if not left or not right:
         return left + right
+    if right[0] in "（，。；：）":
+        return left.rstrip(" ") + right
     one, other = left[-1], right[0]
     apart = (_is_latin(one, ")%'") and _is_han(other)) or (_is_han(one) and _is_latin(other, "(+-./'"))
     return f"{left} {right}" if apart else left + right

@@ -10,7 +10,7 @@ _WORD = re.compile(r"\w+")
 _SPACE = re.compile(" ")
 # So often a piece is looked for again further on; a lone space is only looked for after the end of a sentence.
 _MOST_FINDS = 6
-_AFTER_SENTENCE = re.compile(r"(?<=[.:;!?]) ")
+_AFTER_SENTENCE = re.compile(r"(?<=[.!?]) ")
 
 
 class Template:
@@ -21,6 +21,7 @@ class Template:
         weight: Number of literal letters.
         words: Words that every text of this template has.
         before: The literal piece before each place.
+        sentences: How many it is made of.
     """
 
     def __init__(self, text: str) -> None:
@@ -29,13 +30,14 @@ class Template:
         self._pieces, self._places = parts[::2], parts[1::2]
         self.weight = sum(len(piece) for piece in self._pieces)
         self.words = _whole_words(self._pieces)
+        self.sentences = 1 + sum(len(_AFTER_SENTENCE.findall(piece)) for piece in self._pieces)
         self._speaks = any(mark in piece for piece in self._pieces for mark in ".:;!?")
         self.before = dict(zip(self._places, self._pieces, strict=False))
 
     def ways(self, text: str) -> Iterator[dict[str, str]]:
         """What may stand in the places; nothing if the text is not of this template.
 
-        A label such as `grinder {0}` is no template of a whole sentence.
+        A label such as `grinder {0}` is no template of a whole sentence, nor of a label with a label.
         """
         if not self._speaks and text[-1:] in ".!?":
             return
@@ -45,7 +47,8 @@ class Template:
         end = len(text) - len(last)
         if len(first) <= end and text.startswith(first) and text.endswith(last):
             for parts in self._parts(text, len(first), end, 1):
-                yield dict(zip(self._places, parts, strict=True))
+                if self._speaks or not any(": " in part for part in parts):
+                    yield dict(zip(self._places, parts, strict=True))
 
     def _parts(self, text: str, start: int, end: int, number: int) -> Iterator[tuple[str, ...]]:
         """What may stand between the pieces from `number` - 1 on, in text[start:end]."""

@@ -4228,7 +4228,11 @@
     </message>
     <message>
         <source>Shaft {0}</source>
-        <translation>轮轴{0}</translation>
+        <translation>{0}轮轴</translation>
+    </message>
+    <message>
+        <source>Simulated cell</source>
+        <translation>模拟单元</translation>
     </message>
     <message>
         <source>Solving</source>
@@ -4675,8 +4679,16 @@
         <translation>距离，mm</translation>
     </message>
     <message>
+        <source>edge plate</source>
+        <translation>缘板</translation>
+    </message>
+    <message>
         <source>edit</source>
         <translation>编辑</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>引擎</translation>
     </message>
     <message>
         <source>engine events</source>
@@ -4796,7 +4808,7 @@
     </message>
     <message>
         <source>head axis {0}</source>
-        <translation>浮动头轴{0}</translation>
+        <translation>{0}浮动头轴</translation>
     </message>
     <message>
         <source>head radius ({0})</source>
@@ -5612,7 +5624,7 @@
     </message>
     <message>
         <source>shaft {0} {1}</source>
-        <translation>轮轴{0} {1}</translation>
+        <translation>{0}轮轴{1}</translation>
     </message>
     <message>
         <source>shaft_offset_mm: expected a number of mm, found {0}.</source>
@@ -5629,6 +5641,10 @@
     <message>
         <source>shown</source>
         <translation>shown</translation>
+    </message>
+    <message>
+        <source>shroud</source>
+        <translation>叶冠</translation>
     </message>
     <message>
         <source>sigma_mm must be above 0 mm, found {0}.</source>
@@ -5760,7 +5776,7 @@
     </message>
     <message>
         <source>stop {0}</source>
-        <translation>挡块{0}</translation>
+        <translation>{0}挡块</translation>
     </message>
     <message>
         <source>stopped</source>
