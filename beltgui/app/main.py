@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from beltgui.wizard.page import StepPage
 
 
-
 def run(
     *,
     sim: bool,
@@ -73,8 +72,8 @@ def run(
     loader.loaded.connect(window.add_page, Qt.ConnectionType.QueuedConnection)
 
     def load() -> None:
-        importlib.import_module("beltgui.wizard.page")
-        importlib.import_module("beltgui.widgets.scene_view")
+        for name in ("beltgui.wizard.page", "beltgui.widgets.scene_view", "numpy.ma"):  # the last one: np.unique
+            importlib.import_module(name)
         loader.loaded.emit()
 
     reader = threading.Thread(target=load, name="imports")
