@@ -41,7 +41,7 @@ KEYED = {
 }  # fmt: skip
 OPTIONS = {"errors", "format", "indexing", "join_style", "method", "mode", "side", "view"}
 # Put together in two places, so that no single template shows which word belongs to which.
-TOGETHER = ("grinder {0} angle", "grinder {0} force", "{0} and others")
+TOGETHER = ("grinder {0} angle", "grinder {0} force", "{0} and others", "{H {0}}", "{H {0}, by the drawing}")
 # Said by the operating system and by the database, and handed on.
 SYSTEM = (
     "Directory not empty", "File exists", "File name too long", "Input/output error", "Is a directory",
@@ -64,6 +64,7 @@ def main() -> int:
     run("pyside6-lupdate", "-no-obsolete", "-locations", "none", *files, "-ts", str(TS))
     run("pyside6-lrelease", str(TS), "-qm", str(TS.with_suffix(".qm")))
     print(f"{len(unfinished())} of {len(list(ElementTree.parse(TS).iter('message')))} texts are untranslated")
+    print("".join(f"  {source}\n" for source in unfinished()), end="")
     return 0
 
 

@@ -1354,6 +1354,8 @@ TEMPLATES = (
     QT_TRANSLATE_NOOP("sentence", "{0}: {H} turned against the drawing about {1} of {B}"),
     QT_TRANSLATE_NOOP("sentence", "{0}?mode={1}"),
     QT_TRANSLATE_NOOP("sentence", "{0}[{1}]: the point contains NaN or infinite numbers. Pick it again."),
+    QT_TRANSLATE_NOOP("sentence", "{H {0}, by the drawing}"),
+    QT_TRANSLATE_NOOP("sentence", "{H {0}}"),
     QT_TRANSLATE_NOOP("sentence", "{M} in {B}, turn"),
     QT_TRANSLATE_NOOP("sentence", "± of the surface (k = 2)"),
     QT_TRANSLATE_NOOP("sentence", "± of the surface at the contact, largest (k = 2)"),

@@ -70,6 +70,22 @@
         <source>Copy the verdict</source>
         <translation>复制判定</translation>
     </message>
+    <message>
+        <source>Less ▴</source>
+        <translation>收起 ▴</translation>
+    </message>
+    <message>
+        <source>More ▾</source>
+        <translation>更多 ▾</translation>
+    </message>
+    <message>
+        <source>Less of the verdict</source>
+        <translation>收起判定</translation>
+    </message>
+    <message>
+        <source>More of the verdict</source>
+        <translation>展开判定</translation>
+    </message>
 </context>
 <context>
     <name>Beside</name>
@@ -1130,18 +1146,6 @@
         <source>Progress</source>
         <translation>进度</translation>
     </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>取消(&amp;C)</translation>
-    </message>
-    <message>
-        <source>End the work; samples that were taken stay</source>
-        <translation>结束工作；已采集的样本保留</translation>
-    </message>
-    <message>
-        <source>Cancel the work</source>
-        <translation>取消工作</translation>
-    </message>
 </context>
 <context>
     <name>QuestionPanel</name>
@@ -1174,8 +1178,8 @@
         <translation>只有按住此按钮或空格键时机器人才移动</translation>
     </message>
     <message>
-        <source>the whole series of this step</source>
-        <translation>本步骤的整个系列</translation>
+        <source>the &amp;whole series of this step</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Do not ask again for the following motions of this step</source>
@@ -1685,6 +1689,10 @@
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Ends the work at the next sample. What has been taken is kept.</source>
@@ -3412,7 +3420,7 @@
     </message>
     <message>
         <source>cone</source>
-        <translation>圆锥</translation>
+        <translation>锥窝</translation>
     </message>
     <message>
         <source>cone touch {0} of {1}</source>
@@ -4980,7 +4988,7 @@
     </message>
     <message>
         <source>longitudinal</source>
-        <translation>longitudinal</translation>
+        <translation>纵向</translation>
     </message>
     <message>
         <source>look like degrees: times pi/180 they fit. Give rad.</source>
@@ -5468,7 +5476,7 @@
     </message>
     <message>
         <source>rejected</source>
-        <translation>已拒绝</translation>
+        <translation>已剔除</translation>
     </message>
     <message>
         <source>rejected, see the reasons there</source>
@@ -6044,7 +6052,7 @@
     </message>
     <message>
         <source>transverse</source>
-        <translation>transverse</translation>
+        <translation>横向</translation>
     </message>
     <message>
         <source>triangles of the CAD model</source>
@@ -6337,6 +6345,14 @@
     <message>
         <source>{0} of at least {1} pairs are picked: pick {2} more, each on the scan and on the CAD model, spread over the whole blade.</source>
         <translation>已选取{0}个点对，至少需要{1}个：请再选取{2}个，每个都在扫描和 CAD 模型上选取，分布在整个叶片上。</translation>
+    </message>
+    <message>
+        <source>{H {0}, by the drawing}</source>
+        <translation>{H {0}，按图纸}</translation>
+    </message>
+    <message>
+        <source>{H {0}}</source>
+        <translation>{H {0}}</translation>
     </message>
     <message>
         <source>{M} in {B}, turn</source>
