@@ -1179,7 +1179,7 @@
     </message>
     <message>
         <source>the &amp;whole series of this step</source>
-        <translation type="unfinished"></translation>
+        <translation>本步骤的整个系列(&amp;W)</translation>
     </message>
     <message>
         <source>Do not ask again for the following motions of this step</source>
@@ -1567,6 +1567,13 @@
     </message>
 </context>
 <context>
+    <name>StepEntry</name>
+    <message>
+        <source>ready to accept</source>
+        <translation type="unfinished">可以接受</translation>
+    </message>
+</context>
+<context>
     <name>StepPage</name>
     <message>
         <source>Samples</source>
@@ -1692,7 +1699,7 @@
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在取消…</translation>
     </message>
     <message>
         <source>Ends the work at the next sample. What has been taken is kept.</source>
