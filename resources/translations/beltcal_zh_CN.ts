@@ -216,10 +216,6 @@
         <source>Export is locked:</source>
         <translation>导出已锁定：</translation>
     </message>
-    <message>
-        <source>Export robot programs and report to this folder</source>
-        <translation>将机器人程序和报告导出到此文件夹</translation>
-    </message>
 </context>
 <context>
     <name>ErrorSurfacePanel</name>
@@ -238,6 +234,37 @@
     <message>
         <source>Export is locked:</source>
         <translation>导出已锁定：</translation>
+    </message>
+</context>
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Write robot programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write robot programs and report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To this folder; it is made if there is none:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for robot programs and report</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -770,6 +797,14 @@
 </context>
 <context>
     <name>MainWindow</name>
+    <message>
+        <source>New here? A tour of two minutes shows what is where; it is also in the Help menu.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Cancelled. What was taken is kept.</source>
         <translation>已取消。已采集的内容都已保存。</translation>
@@ -1570,7 +1605,7 @@
     <name>StepEntry</name>
     <message>
         <source>ready to accept</source>
-        <translation type="unfinished">可以接受</translation>
+        <translation>可以接受</translation>
     </message>
 </context>
 <context>
@@ -1683,8 +1718,16 @@
 <context>
     <name>ToolPanel</name>
     <message>
-        <source>Touches: {cone} in the cone, {shaft} on wheel shafts; {stop} readings at the heads&apos; stops.</source>
-        <translation>触测：锥窝 {cone} 次，轮轴 {shaft} 次；浮动头挡块读数 {stop} 次。</translation>
+        <source>Cone: {done} of {planned} touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop not read yet</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
