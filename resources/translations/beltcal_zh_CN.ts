@@ -240,31 +240,31 @@
     <name>ExportDialog</name>
     <message>
         <source>Write robot programs</source>
-        <translation type="unfinished"></translation>
+        <translation>写出机器人程序</translation>
     </message>
     <message>
         <source>Write robot programs and report</source>
-        <translation type="unfinished"></translation>
+        <translation>写出机器人程序和报告</translation>
     </message>
     <message>
         <source>To this folder; it is made if there is none:</source>
-        <translation type="unfinished"></translation>
+        <translation>写到此文件夹；若不存在则新建：</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
-        <translation type="unfinished"></translation>
+        <translation>选择(&amp;H)…</translation>
     </message>
     <message>
         <source>Choose another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>选择其他文件夹</translation>
     </message>
     <message>
         <source>&amp;Write</source>
-        <translation type="unfinished"></translation>
+        <translation>写出(&amp;W)</translation>
     </message>
     <message>
         <source>Folder for robot programs and report</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人程序和报告的文件夹</translation>
     </message>
 </context>
 <context>
@@ -799,11 +799,11 @@
     <name>MainWindow</name>
     <message>
         <source>New here? A tour of two minutes shows what is where; it is also in the Help menu.</source>
-        <translation type="unfinished"></translation>
+        <translation>第一次使用？两分钟的导览会说明各部分的位置；“帮助”菜单中也有。</translation>
     </message>
     <message>
         <source>&amp;Take the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>观看导览(&amp;T)</translation>
     </message>
     <message>
         <source>Cancelled. What was taken is kept.</source>
@@ -1719,15 +1719,15 @@
     <name>ToolPanel</name>
     <message>
         <source>Cone: {done} of {planned} touches</source>
-        <translation type="unfinished"></translation>
+        <translation>锥窝：{done}/{planned} 次触测</translation>
     </message>
     <message>
         <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop read</source>
-        <translation type="unfinished"></translation>
+        <translation>{grinder}砂带磨床：{done}/{planned} 次触测，浮动头挡块已读取</translation>
     </message>
     <message>
         <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop not read yet</source>
-        <translation type="unfinished"></translation>
+        <translation>{grinder}砂带磨床：{done}/{planned} 次触测，浮动头挡块尚未读取</translation>
     </message>
 </context>
 <context>
