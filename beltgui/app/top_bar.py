@@ -30,6 +30,7 @@ class TopBar(QWidget):
         self._session: SessionOpened | None = None
         self._job: JobStarted | None = None
         self._progress: JobProgress | None = None
+        self._cancelled: int | None = None
         self.name = ElidedLabel(1, self)
         self.name.setObjectName("session_name")
         self.name.setProperty("title", 2)
@@ -43,7 +44,7 @@ class TopBar(QWidget):
         self.job_bar.setRange(0, 1000)
         self.job_cancel = QPushButton(self)
         self.job_cancel.setObjectName("job_cancel")
-        self.job_cancel.clicked.connect(self.cancel)
+        self.job_cancel.clicked.connect(self._cancel)
         self.help_button = QPushButton("?", self)
         self.help_button.setObjectName("help_button")
         self.help_button.clicked.connect(self.help)
@@ -102,7 +103,9 @@ class TopBar(QWidget):
             text = sentence(progress.text) if progress is not None and progress.text else ""
             self.job_title.setText(" – ".join(filter(None, (sentence(job.title), text))))
             self.job_bar.setValue(0 if progress is None else round(1000 * progress.fraction))
-        self.job_cancel.setText(self.tr("Cancel"))
+        ending = job is not None and job.job == self._cancelled
+        self.job_cancel.setEnabled(not ending)
+        self.job_cancel.setText(self.tr("Cancelling…") if ending else self.tr("Cancel"))
         self.job_cancel.setToolTip(self.tr("Ends the work at the next sample. What has been taken is kept."))
         self.job_cancel.setAccessibleName(self.tr("Cancel the work"))
         self.job_bar.setAccessibleName(self.tr("Progress of the work"))
@@ -118,6 +121,12 @@ class TopBar(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self.write()
+
+    def _cancel(self) -> None:
+        if self._job is not None:
+            self._cancelled = self._job.job
+            self.write()
+            self.cancel.emit()
 
     def _dress(self) -> None:
         self._layout.setContentsMargins(px(10), px(6), px(10), px(6))

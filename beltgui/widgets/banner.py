@@ -1,14 +1,17 @@
-"""The verdict: shape, word and colour, the reasons and what to do."""
+"""The verdict: shape, word and colour, the reasons and what to do; remarks for experts on demand."""
 
 from __future__ import annotations
 
 from enum import StrEnum
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from beltgui.app.theme import px, theme
+
+# More text than fits in this height, px, scrolls; in a low window it may get as low as the smaller one.
+HIGHEST_PX, LOWEST_PX = 210, 84
 
 
 class BannerKind(StrEnum):
@@ -71,26 +74,36 @@ class Banner(QFrame):
         self._kind: BannerKind | None = None
         self._headline = ""
         self._lines: tuple[str, ...] = ()
+        self._more: tuple[str, ...] = ()
         self._build()
         self.setVisible(False)
-        theme().changed.connect(self._fit)
+        theme().changed.connect(self.updateGeometry)
 
     @property
     def kind(self) -> BannerKind | None:
         """What is said now; None for nothing."""
         return self._kind
 
-    def say(self, kind: BannerKind | None, headline: str = "", lines: tuple[str, ...] = ()) -> None:
+    def say(
+        self,
+        kind: BannerKind | None,
+        headline: str = "",
+        lines: tuple[str, ...] = (),
+        more: tuple[str, ...] = (),
+    ) -> None:
         """Show a verdict.
 
         Args:
             kind: Gives shape, word and colour; None hides the banner.
             headline: One line, in the language of the screen.
             lines: Reasons and what to do, one each.
+            more: Worth knowing for who wants to, one each; shown on demand.
         """
-        if (kind, headline, lines) == (self._kind, self._headline, self._lines):
+        if (kind, headline, lines, more) == (self._kind, self._headline, self._lines, self._more):
             return
-        self._kind, self._headline, self._lines = kind, headline, lines
+        if kind is None or more != self._more:
+            self.more_button.setChecked(False)
+        self._kind, self._headline, self._lines, self._more = kind, headline, lines, more
         self.setVisible(kind is not None)
         if kind is None:
             return
@@ -99,33 +112,38 @@ class Banner(QFrame):
             self.setProperty("banner", look)
             self.style().polish(self)
         self.word.setText(f"{_SHAPES[kind]}  {kind_word(kind)}")
-        self.body.setText("\n".join(part for part in (headline, *lines) if part))
         self.setAccessibleName(self.text())
-        self._fit()
-        self._scroll.verticalScrollBar().setValue(0)
+        self._write_body()
 
     def text(self) -> str:
         """All it says."""
         if self._kind is None:
             return ""
-        return "\n".join(part for part in (kind_word(self._kind), self._headline, *self._lines) if part)
+        parts = (kind_word(self._kind), self._headline, *self._lines, *self._more)
+        return "\n".join(part for part in parts if part)
 
     def retranslate(self) -> None:
         """Write again in the present language; the page says anew what it said."""
         self.copy_button.setText(self.tr("Copy"))
         self.copy_button.setToolTip(self.tr("Copy this text"))
         self.copy_button.setAccessibleName(self.tr("Copy the verdict"))
-        kind, headline, lines = self._kind, self._headline, self._lines
+        kind, headline, lines, more = self._kind, self._headline, self._lines, self._more
         self._kind = None
-        self.say(kind, headline, lines)
+        self.say(kind, headline, lines, more)
 
     def _build(self) -> None:
         self.word = QLabel(self)
         self.word.setProperty("title", "2")
         self.word.setWordWrap(True)
-        self.copy_button = QToolButton(self)
+        # All looks have the same borders, and a frame notes them when it gets its first look.
+        self.setProperty("banner", "info")
+        self.more_button, self.copy_button = QToolButton(self), QToolButton(self)
+        self.more_button.setObjectName("banner_more")
         self.copy_button.setObjectName("banner_copy")
-        self.copy_button.setProperty("quiet", "true")
+        for button in (self.more_button, self.copy_button):
+            button.setProperty("link", "true")
+        self.more_button.setCheckable(True)
+        self.more_button.toggled.connect(self._write_body)
         self.copy_button.clicked.connect(self._copy)
         self.body = QLabel(self)
         self.body.setTextFormat(Qt.TextFormat.PlainText)
@@ -142,36 +160,55 @@ class Banner(QFrame):
         self._scroll.setWidget(self.body)
         self._scroll.viewport().setAutoFillBackground(False)
         self.body.setAutoFillBackground(False)
-        head = QHBoxLayout()
-        head.addWidget(self.word, 1)
-        head.addWidget(self.copy_button, 0, Qt.AlignmentFlag.AlignTop)
+        links = QHBoxLayout()
+        links.setSpacing(12)
+        links.addWidget(self.more_button)
+        links.addStretch(1)
+        links.addWidget(self.copy_button)
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 4, 4, 4)
+        layout.setContentsMargins(4, 0, 0, 0)
         layout.setSpacing(2)
-        layout.addLayout(head)
+        layout.addWidget(self.word)
         layout.addWidget(self._scroll, 1)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        layout.addLayout(links)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.retranslate()
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text())
 
-    def _fit(self) -> None:
-        height = self._height()
-        if height != self.height():
-            self.setFixedHeight(height)
+    def _write_body(self) -> None:
+        shown = self.more_button.isChecked()
+        self.more_button.setVisible(bool(self._more))
+        self.more_button.setText(self.tr("Less ▴") if shown else self.tr("More ▾"))
+        self.more_button.setAccessibleName(self.tr("Less of the verdict") if shown else self.tr("More of the verdict"))
+        parts = (self._headline, *self._lines, *(self._more if shown else ()))
+        self.body.setText("\n".join(part for part in parts if part))
+        self._scroll.setVisible(bool(self.body.text()))
+        self._scroll.verticalScrollBar().setValue(0)
+        self.updateGeometry()
 
-    def _text_width(self) -> int:
-        return max(self.width() - px(34), px(120))
+    def sizeHint(self) -> QSize:  # noqa: N802
+        """As high as its text at the present width, within limits."""
+        return QSize(px(200), self._height())
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802
+        """The word and two lines; the rest scrolls."""
+        return QSize(px(120), min(self._height(), px(LOWEST_PX)))
 
     def _height(self) -> int:
         self.ensurePolished()
-        head = max(self.word.heightForWidth(max(self._text_width() - self.copy_button.sizeHint().width(), 60)),
-                   self.copy_button.sizeHint().height())  # fmt: skip
-        body = self.body.heightForWidth(self._text_width()) if self.body.text() else 0
-        return min(head + body + px(26), px(210))
+        outer, inner = self.contentsMargins(), self.layout().contentsMargins()
+        aside = outer.left() + outer.right() + inner.left() + inner.right()
+        above = outer.top() + outer.bottom() + inner.top() + inner.bottom()
+        width = max(self.width() - aside, px(120))
+        spacing = self.layout().spacing()
+        body = self.body.heightForWidth(width) + spacing if self.body.text() else 0
+        whole = above + self.word.heightForWidth(width) + body + spacing + self.copy_button.sizeHint().height()
+        return min(whole, px(HIGHEST_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """Other line breaks at another width."""
         super().resizeEvent(event)
-        self._fit()
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()

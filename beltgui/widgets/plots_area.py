@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QTabWidget, QToolButton, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
 from beltgui.viewmodel.plot import Plot
 from beltgui.widgets.plot_canvas import PlotCanvas
+
+# A longer title of a tab loses its end.
+LONGEST = 16
+
+
+def short_title(title: str) -> str:
+    """A plot's title as its tab has room for: without what is in brackets and without numbers."""
+    short = re.sub(r"\s*[(（].*?[)）]|\s*=\s*[-+\d.,]+", "", title).strip()
+    return short if len(short) <= LONGEST else short[: LONGEST - 1].rstrip() + "…"
 
 
 class PlotsArea(QWidget):
@@ -54,9 +65,11 @@ class PlotsArea(QWidget):
         self._plots = {plot.key: plot for plot in plots}
         self._waiting = set(keys)
         for place, plot in enumerate(plots):
-            title = sentence(plot.title).replace("&", "&&")
-            if self.tabs.tabText(place) != title:
-                self.tabs.setTabText(place, title)
+            title = sentence(plot.title)
+            short = short_title(title).replace("&", "&&")
+            if self.tabs.tabText(place) != short:
+                self.tabs.setTabText(place, short)
+            self.tabs.setTabToolTip(place, title)
         self.whole_button.setVisible(bool(plots))
         self._show_current()
 

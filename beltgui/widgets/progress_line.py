@@ -1,22 +1,15 @@
-"""How far the work is, and the button that ends it."""
+"""How far the work is."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QSizePolicy, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
 from beltgui.engine.messages import JobProgress, JobStarted
 
 
 class ProgressLine(QWidget):
-    """Visible while work is under way.
-
-    Signals:
-        cancel_wanted: End the work at its next report; what was taken stays.
-    """
-
-    cancel_wanted = Signal()
+    """Visible while work is under way; the window's top bar has the button that ends it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,25 +20,17 @@ class ProgressLine(QWidget):
         self.text_label.setWordWrap(True)
         self.bar = QProgressBar(self)
         self.bar.setRange(0, 1000)
-        self.cancel_button = QPushButton(self)
-        self.cancel_button.setObjectName("cancel_button")
-        self.cancel_button.clicked.connect(self._cancel)
-        row = QHBoxLayout()
-        row.addWidget(self.bar, 1)
-        row.addWidget(self.cancel_button)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(2)
         layout.addWidget(self.text_label)
-        layout.addLayout(row)
+        layout.addWidget(self.bar)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.setVisible(False)
         self.retranslate()
 
     def show_job(self, job: JobStarted | None, progress: JobProgress | None = None) -> None:
         """Work has begun, goes on, or (None) has ended."""
-        if job is None or self._job is None or job.job != self._job.job:
-            self.cancel_button.setEnabled(True)
         self._job, self._progress = job, progress
         self.setVisible(job is not None)
         if job is None:
@@ -58,11 +43,4 @@ class ProgressLine(QWidget):
     def retranslate(self) -> None:
         """Write again in the present language."""
         self.bar.setAccessibleName(self.tr("Progress"))
-        self.cancel_button.setText(self.tr("&Cancel"))
-        self.cancel_button.setToolTip(self.tr("End the work; samples that were taken stay"))
-        self.cancel_button.setAccessibleName(self.tr("Cancel the work"))
         self.show_job(self._job, self._progress)
-
-    def _cancel(self) -> None:
-        self.cancel_button.setEnabled(False)
-        self.cancel_wanted.emit()

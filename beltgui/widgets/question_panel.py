@@ -14,6 +14,8 @@ from beltgui.widgets.pictures import Picture
 SPEED_LIMIT_MM_S = 250.0
 # While the button is held this is said again and again: a screen that hangs lets the robot stop.
 ALIVE_MS = 150
+# A question comes where the button just pressed was: the second click of a double click must not answer it.
+ARM_MS = 350
 
 
 class QuestionPanel(QFrame):
@@ -24,9 +26,13 @@ class QuestionPanel(QFrame):
 
     Signals:
         command: An `Answer` or a `Hold`.
+        answerable: A question can be answered from now on.
+        answered: It has been.
     """
 
     command = Signal(object)
+    answerable = Signal()
+    answered = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -38,6 +44,9 @@ class QuestionPanel(QFrame):
         self._alive = QTimer(self)
         self._alive.setInterval(ALIVE_MS)
         self._alive.timeout.connect(lambda: self.command.emit(Hold(True)))
+        self._arming = QTimer(self)
+        self._arming.setSingleShot(True)
+        self._arming.timeout.connect(self._arm)
         self._build()
         self.setVisible(False)
         self.retranslate()
@@ -55,15 +64,26 @@ class QuestionPanel(QFrame):
             else:
                 self.end()
             return
-        if self._question is not None and question.number != self._question.number:
+        new = self._question is None or question.number != self._question.number
+        if self._question is not None and new:
             self._drop_hold()
             self.series.setChecked(False)
         self._question, self._answered = question, False
+        if new and ARM_MS:
+            self._arming.start(ARM_MS)
         self._show()
+        if not self._arming.isActive():
+            self.answerable.emit()
+
+    def take_focus(self) -> None:
+        """To the button that answers; of a motion the one that moves only while it is held."""
+        if self._question is not None:
+            (self.hold_button if self._question.kind == "motion" else self.done_button).setFocus()
 
     def end(self) -> None:
         """The work is over: nothing is asked any more."""
         self._drop_hold()
+        self._arming.stop()
         self._question, self._answered = None, False
         self.series.setChecked(False)
         self.setVisible(False)
@@ -81,7 +101,7 @@ class QuestionPanel(QFrame):
         self.move_button.setToolTip(self.tr("The robot moves along the path shown, once, at reduced speed"))
         self.hold_button.setText(self.tr("Hold to move"))
         self.hold_button.setToolTip(self.tr("The robot moves only while you hold this button or the Space key"))
-        self.series.setText(self.tr("the whole series of this step"))
+        self.series.setText(self.tr("the &whole series of this step"))
         self.series.setToolTip(self.tr("Do not ask again for the following motions of this step"))
         self.stop_hint.setText(self.tr("Stop: top right, or F12. It is no safety function."))
         for widget in (self.done_button, self.not_now_button, self.move_button, self.hold_button, self.series):
@@ -136,7 +156,7 @@ class QuestionPanel(QFrame):
     def _button(self, name: str, *, primary: bool) -> QPushButton:
         button = QPushButton(self)
         button.setObjectName(name)
-        button.setAutoDefault(False)
+        button.setAutoDefault(primary)  # pressed by Enter too
         if primary:
             button.setProperty("primary", "true")
         return button
@@ -158,10 +178,15 @@ class QuestionPanel(QFrame):
         self.done_button.setVisible(not moves)
         self.not_now_button.setVisible(True)
         too_fast = moves and question.speed_mm_s > SPEED_LIMIT_MM_S
+        open_now = not self._answered and not self._arming.isActive()
         for widget in (self.done_button, self.move_button, self.not_now_button, self.series):
-            widget.setEnabled(not self._answered and not (too_fast and widget is self.move_button))
-        self.hold_button.setEnabled(moves and not too_fast and (self._holding or not self._answered))
+            widget.setEnabled(open_now and not (too_fast and widget is self.move_button))
+        self.hold_button.setEnabled(moves and not too_fast and (self._holding or open_now))
         self.setVisible(True)
+
+    def _arm(self) -> None:
+        self._show()
+        self.answerable.emit()
 
     def _show_holding(self) -> None:
         self.title.setText(self.tr("The robot moves while you hold"))
@@ -189,6 +214,8 @@ class QuestionPanel(QFrame):
         if self._answered:
             return
         self._answered = True
+        if not answer.hold:
+            self.answered.emit()
         self.command.emit(answer)
         if self._question is not None:
             self._show()

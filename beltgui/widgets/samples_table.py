@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QMenu,
-    QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
@@ -35,8 +34,6 @@ class BarDelegate(QStyledItemDelegate):
     ) -> None:
         """The cell, then its bar."""
         super().paint(painter, option, index)
-        if index.data(Qt.ItemDataRole.CheckStateRole) is not None:
-            self._outline_box(painter, option, index)
         share = index.data(SHARE_ROLE)
         if share is None:
             return
@@ -44,17 +41,6 @@ class BarDelegate(QStyledItemDelegate):
         height = px(4)
         bar = QRectF(cell.left(), cell.bottom() - height - 1, abs(share) * cell.width(), height)
         painter.fillRect(bar, QColor(colour(Role.INLIER)))
-
-    def _outline_box(
-        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> None:
-        """The style's own outline of a tick box is hardly seen on a dark ground."""
-        full = QStyleOptionViewItem(option)
-        self.initStyleOption(full, index)
-        style = option.widget.style()  # type: ignore[attr-defined]
-        box = style.subElementRect(QStyle.SubElement.SE_ItemViewItemCheckIndicator, full, option.widget)  # type: ignore[attr-defined]
-        painter.setPen(QColor(colour("muted")))
-        painter.drawRect(box.adjusted(1, 1, -2, -2))
 
 
 class TicksView(QTableView):

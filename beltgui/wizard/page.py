@@ -5,8 +5,8 @@ one chosen with `set_step`.
 
 Object names that a driver finds:
     step_page, right_panel, step_title, step_purpose, step_instruction, rhythm, side_scroll, scene_view, banner,
-    banner_copy, numbers, numbers_all, checks, suggestion, live_values, step_progress, cancel_button,
-    primary_button, solve_button, start_over_button, samples_table, samples_flagged, undo_button, redo_button,
+    banner_more, banner_copy, numbers, numbers_all, checks, suggestion, live_values, step_progress, primary_button,
+    solve_button, start_over_button, samples_table, samples_flagged, undo_button, redo_button,
     delete_button, plots, plot_tabs, plot_whole, question_panel, question_text, question_motion, question_picture,
     question_done, question_not_now, question_move, question_hold, question_series, panel_<step> (see the steps' own
     panels for what is in them).
@@ -98,6 +98,10 @@ class StepPage(QWidget):
         self._views[view.step] = view
         if view.step == self._step:
             self._refresh()
+
+    def take_focus(self) -> None:
+        """The keyboard is on the next thing to do, as soon as there is one."""
+        self.side.await_focus()
 
     def forget(self) -> None:
         """Another session: drop all views."""
@@ -224,7 +228,6 @@ class StepPage(QWidget):
         self.side.pressed.connect(self._pressed)
         self.side.solve_wanted.connect(lambda: self.command.emit(messages.Solve(self._step)))
         self.side.start_over_wanted.connect(lambda: self.command.emit(messages.StartOver(self._step)))
-        self.side.progress.cancel_wanted.connect(lambda: self.command.emit(messages.Cancel()))
         self.question.command.connect(self.command)
         for panel in self.panels.values():
             panel.command.connect(self.command)

@@ -2,18 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QApplication,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from beltgui.app.theme import px
 from beltgui.viewmodel.step import StepView
@@ -24,6 +15,7 @@ from beltgui.widgets.pictures import Picture
 from beltgui.widgets.progress_line import ProgressLine
 from beltgui.widgets.question_panel import QuestionPanel
 from beltgui.widgets.suggestion_box import SuggestionBox
+from beltgui.widgets.tall_scroll import TallScroll
 from beltgui.widgets.words import step_word
 from beltgui.wizard.live import LiveValues
 from beltgui.wizard.panel import StepPanel
@@ -87,18 +79,38 @@ class SidePanel(QWidget):
     def show_primary(self, primary: Primary, *, asked: bool) -> None:
         """The primary button; while a question is asked its own buttons are the primary ones."""
         self._primary = primary
-        had = self.primary_button.hasFocus()
+        usable = primary.enabled and not asked
+        if self.primary_button.hasFocus() and not usable:
+            self._park_focus()
         self.primary_button.setText(primary.text.replace("&", "&&"))
         self.primary_button.setAccessibleName(primary.text)
         self.primary_button.setEnabled(primary.enabled)
         self.primary_button.setVisible(not asked)
-        if had and not (primary.enabled and not asked):
-            self._lost_focus = True
-        elif self._lost_focus and primary.enabled and not asked:
+        if self._lost_focus and usable and self._focus_is_ours():
             self._lost_focus = False
-            focus = QApplication.focusWidget()
-            if focus is None or self.isAncestorOf(focus):
-                self.primary_button.setFocus()
+            self.primary_button.setFocus()
+
+    def await_focus(self) -> None:
+        """Who works with the keyboard gets the next thing to do as soon as there is one, be it button or question."""
+        self._park_focus()
+        if self.primary_button.isEnabled() and not self.primary_button.isHidden():
+            self._lost_focus = False
+            self.primary_button.setFocus()
+
+    def _park_focus(self) -> None:
+        """Not on to whatever control comes next: Enter would press that one."""
+        self._lost_focus = True
+        self.scroll.setFocus()
+
+    def focus_question(self) -> None:
+        """A question can be answered now: by the keyboard at once, if the keyboard was here."""
+        if self._focus_is_ours():
+            self._lost_focus = True
+            self.question.take_focus()
+
+    def _focus_is_ours(self) -> bool:
+        focus = QApplication.focusWidget()
+        return focus is None or self.isAncestorOf(focus)
 
     def retranslate(self) -> None:
         """Write again in the present language."""
@@ -136,6 +148,8 @@ class SidePanel(QWidget):
         self.checks = ChecksList(self)
         self.banner = Banner(self)
         self.progress = ProgressLine(self)
+        self.question.answerable.connect(self.focus_question)
+        self.question.answered.connect(self.await_focus)
         for panel in self.panels.values():
             panel.setParent(self)
             panel.setVisible(False)
@@ -146,11 +160,12 @@ class SidePanel(QWidget):
         for widget in (self.title, self.purpose, self.rhythm):
             layout.addWidget(widget)
         layout.addWidget(self._scroll_area(), 1)
-        for widget in (self.question, self.banner, self.progress, self.primary_button):
+        # The question takes the place of the primary button, so that the eye stays where it is.
+        for widget in (self.banner, self.progress, self.question, self.primary_button):
             layout.addWidget(widget)
         layout.addLayout(self._secondary)
 
-    def _scroll_area(self) -> QScrollArea:
+    def _scroll_area(self) -> TallScroll:
         body = QWidget(self)
         inside = QVBoxLayout(body)
         inside.setContentsMargins(0, 2, 6, 2)
@@ -162,12 +177,8 @@ class SidePanel(QWidget):
         for widget in widgets:
             inside.addWidget(widget)
         inside.addStretch(1)
-        self.scroll = QScrollArea(self)
+        self.scroll = TallScroll(body, self)
         self.scroll.setObjectName("side_scroll")
-        self.scroll.setWidgetResizable(True)
-        self.scroll.setFrameShape(QFrame.Shape.NoFrame)
-        self.scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.scroll.setWidget(body)
         self.scroll.setMinimumHeight(px(40))
         return self.scroll
 
@@ -175,6 +186,7 @@ class SidePanel(QWidget):
         self.primary_button = QPushButton(self)
         self.primary_button.setObjectName("primary_button")
         self.primary_button.setProperty("primary", "true")
+        self.primary_button.setAutoDefault(True)  # pressed by Enter too
         self.primary_button.clicked.connect(self._press)
         shortcut = QShortcut(QKeySequence("Ctrl+Return"), self)
         shortcut.activated.connect(self.primary_button.click)

@@ -48,6 +48,9 @@ class FakePage(QWidget):
     def show_cell(self, cell: CellMoved) -> None:
         self.cells.append(cell)
 
+    def take_focus(self) -> None:
+        self.calls.append("focus")
+
     def stop_pressed(self) -> None:
         self.calls.append("stop")
 

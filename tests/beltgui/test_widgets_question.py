@@ -16,6 +16,12 @@ from beltgui.widgets.question_panel import QuestionPanel
 from tests.beltgui.wizard_canned import motion, mounting
 
 
+@pytest.fixture(autouse=True)
+def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A question can be answered as soon as it is asked."""
+    monkeypatch.setattr("beltgui.widgets.question_panel.ARM_MS", 0)
+
+
 @pytest.fixture
 def panel(qtbot: QtBot) -> QuestionPanel:
     made = QuestionPanel()

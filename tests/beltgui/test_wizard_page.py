@@ -15,7 +15,6 @@ from beltgui.engine.messages import (
     Accept,
     Acquire,
     Answer,
-    Cancel,
     CellMoved,
     Delete,
     Hold,
@@ -37,11 +36,17 @@ SOLVE = JobStarted(2, "Solving", "ball", motion=False)
 NAMES = (
     "step_page", "right_panel", "step_title", "step_purpose", "rhythm", "scene_view", "banner", "banner_copy",
     "numbers",
-    "checks", "suggestion", "live_values", "step_progress", "cancel_button", "primary_button", "solve_button",
+    "checks", "suggestion", "live_values", "step_progress", "banner_more", "primary_button", "solve_button",
     "start_over_button", "samples_table", "undo_button", "redo_button", "delete_button", "plots", "plot_tabs",
     "question_panel", "question_done", "question_not_now", "question_move", "question_hold", "question_series",
     *(f"panel_{step}" for step in STEPS),
 )  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A question can be answered as soon as it is asked."""
+    monkeypatch.setattr("beltgui.widgets.question_panel.ARM_MS", 0)
 
 
 @pytest.fixture
@@ -172,7 +177,7 @@ def test_a_row_and_its_mark_are_chosen_together(page: StepPage) -> None:
     assert len(canvas._ring.getData()[0]) == 1
 
 
-def test_work_shows_its_progress_and_can_be_cancelled(page: StepPage, said: list[Any]) -> None:
+def test_work_shows_its_progress(page: StepPage) -> None:
     page.show_step(empty())
     page.show_job(SCAN, JobProgress(1, 0.35, "scan 7 of 20"))
     progress = page.side.progress
@@ -181,9 +186,6 @@ def test_work_shows_its_progress_and_can_be_cancelled(page: StepPage, said: list
     assert progress.text_label.text() == "Scanning the ball: scan 7 of 20"
     assert not button(page, "primary_button").isEnabled()
     assert page.side.rhythm.accessibleName().endswith("acquire")
-    button(page, "cancel_button").click()
-    button(page, "cancel_button").click()
-    assert said == [Cancel()]
     page.show_job(None)
     assert progress.isHidden()
     assert button(page, "primary_button").isEnabled()
@@ -277,7 +279,7 @@ def test_nothing_is_cut_off_at_the_smallest_size(page: StepPage, qtbot: QtBot) -
     page.show_question(motion(1))
     assert page.minimumSizeHint().width() <= 1086
     assert page.minimumSizeHint().height() <= 710
-    last = page.side.progress.cancel_button
+    last = page.question.not_now_button
     assert page.rect().contains(last.mapTo(page, QPoint(last.width() - 1, last.height() - 1)))
 
 

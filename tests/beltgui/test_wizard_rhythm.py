@@ -72,13 +72,14 @@ def test_who_only_looks_can_only_go_to_the_next_step(qapp: QApplication) -> None
 
 
 def test_the_verdict_says_why_and_what_to_do(qapp: QApplication) -> None:
-    kind, headline, lines = verdict_of(view(ok=False, reasons=(REASON,), remarks=("Remark.",), actions=OPEN))
+    kind, headline, lines, more = verdict_of(view(ok=False, reasons=(REASON,), remarks=("Remark.",), actions=OPEN))
     assert kind is BannerKind.REJECTED
     assert headline == "RMS 0.021 mm over 20 scans"
-    assert lines == (REASON.message, "Remark.")
-    _, headline, lines = verdict_of(view(state=StepState.STALE, why=("Base moved by 0.1 mm.",), actions=OPEN))
+    assert lines == (REASON.message,)
+    assert more == ("Remark.",)  # for who wants to know: on demand
+    _, headline, lines, _ = verdict_of(view(state=StepState.STALE, why=("Base moved by 0.1 mm.",), actions=OPEN))
     assert (headline, lines) == ("Stale because:", ("Base moved by 0.1 mm.",))
-    _, headline, _ = verdict_of(view(provisional=True, ok=False, actions=GO_ON))
+    _, headline, _, _ = verdict_of(view(provisional=True, ok=False, actions=GO_ON))
     assert headline.startswith("so far not good enough: ")
 
 
