@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt, QUrl
+from PySide6.QtCore import QCoreApplication, Qt, QUrl, Signal
 from PySide6.QtGui import QColor, QDesktopServices, QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
     QHeaderView,
     QLabel,
+    QLineEdit,
     QListWidget,
     QPlainTextEdit,
     QPushButton,
@@ -21,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from beltgui import __version__
+from beltgui.app.choose import ask_folder
 from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px
 from beltgui.engine.messages import Compared, ComparedRow, Exported
@@ -99,6 +101,52 @@ class CompareDialog(Beside):
             if changed and column in (4, 6):
                 item.setForeground(QColor(colour("warn")))
             self.table.setItem(number, column, item)
+
+
+class ExportDialog(Beside):
+    """Where robot programs and report are to be written: proposed, so that Enter is enough.
+
+    Signals:
+        chosen: The folder; it is made if there is none.
+    """
+
+    chosen = Signal(str)
+
+    def __init__(self, proposed: Path, parent: QWidget) -> None:
+        super().__init__("export_dialog", "", parent)
+        self.setWindowTitle(self.tr("Write robot programs"))
+        self._proposed = proposed
+        title = QLabel(self.tr("Write robot programs and report"), self)
+        title.setProperty("title", "2")
+        told = QLabel(self.tr("To this folder; it is made if there is none:"), self)
+        self.folder = QLineEdit(str(proposed), self)
+        self.folder.setObjectName("export_folder")
+        self.folder.setAccessibleName(told.text())
+        self.folder.setMinimumWidth(px(520))
+        self.folder.textChanged.connect(lambda text: self.write_button.setEnabled(bool(text.strip())))
+        other = QPushButton(self.tr("C&hoose…"), self)
+        other.setObjectName("export_choose")
+        other.setAccessibleName(self.tr("Choose another folder"))
+        other.clicked.connect(self._choose)
+        row = QHBoxLayout()
+        row.addWidget(self.folder, 1)
+        row.addWidget(other)
+        self.body.addWidget(title)
+        self.body.addWidget(told)
+        self.body.addLayout(row)
+        self.write_button = self.add_button(self.tr("&Write"), "write")
+        self.write_button.setProperty("primary", True)
+        self.write_button.clicked.connect(self._write)
+        self.finish()
+        self.write_button.setDefault(True)
+        self.folder.setFocus()
+
+    def _choose(self) -> None:
+        ask_folder(self, self.tr("Folder for robot programs and report"), self._proposed.parent, self.folder.setText)
+
+    def _write(self) -> None:
+        self.chosen.emit(self.folder.text().strip())
+        self.close()
 
 
 class ExportedDialog(Beside):
@@ -181,6 +229,7 @@ def keyboard_dialog(parent: QWidget) -> TextDialog:
         ("Ctrl+N, Ctrl+O, Ctrl+Shift+O", translate("Keyboard", "New session, open, open read-only")),
         ("Ctrl+E", translate("Keyboard", "Export robot programs and report")),
         ("Ctrl++, Ctrl+-, Ctrl+0", translate("Keyboard", "Larger, smaller, usual text")),
+        ("F11", translate("Keyboard", "3D view in a window of its own; there: the whole screen, Esc closes it")),
         ("F1", translate("Keyboard", "Help of the step")),
         (translate("Keyboard", "Alt + underlined letter"), translate("Keyboard", "Menu or button")),
     )

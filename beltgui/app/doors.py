@@ -10,9 +10,13 @@ from PySide6.QtWidgets import QWidget
 
 from beltgui.app.choose import ask_folder, where_sessions_are
 from beltgui.app.client import EngineClient
+from beltgui.app.dialogs import ExportDialog
 from beltgui.app.menus import chosen_speed
 from beltgui.app.start_page import Begin, StartPage
 from beltgui.engine.messages import Compare, Export, NewSession, OpenSession
+
+# Within a session's folder, where robot programs are written unless another folder is chosen.
+PROGRAMS = "programs"
 
 
 class Doors(QObject):
@@ -71,10 +75,11 @@ class Doors(QObject):
                    lambda folder: self._client.send(Compare(folder)))  # fmt: skip
 
     def ask_export(self) -> None:
-        """Let a folder be chosen, and export to it; say why not while it is locked."""
+        """Propose a folder, and export to the one that is chosen; say why not while it is locked."""
         folder = self._session_folder()
         if lock := self._export_lock():
             self._say("warn", "\n".join((self.tr("Export is locked:"), *lock)))
         elif folder is not None:
-            ask_folder(self._window, self.tr("Export robot programs and report to this folder"), Path(folder),
-                       lambda chosen: self._client.send(Export(chosen)))  # fmt: skip
+            dialog = ExportDialog(Path(folder) / PROGRAMS, self._window)
+            dialog.chosen.connect(lambda chosen: self._client.send(Export(chosen)))
+            dialog.show()

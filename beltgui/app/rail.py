@@ -10,7 +10,7 @@ from beltgui.app.language import sentence
 from beltgui.app.names import SHAPES, state_word
 from beltgui.app.theme import colour, px, theme
 from beltgui.steps.state import STEPS, StepState
-from beltgui.viewmodel.step import StepView
+from beltgui.viewmodel.step import Action, StepView
 from beltgui.widgets.words import step_word
 
 WIDTH_PX = 186
@@ -45,18 +45,32 @@ class StepEntry(QPushButton):
         """The state that is shown."""
         return StepState.NOT_STARTED if self._view is None else self._view.state
 
+    @property
+    def ready(self) -> bool:
+        """Its result waits to be accepted."""
+        return self._view is not None and self._view.content is not None and Action.ACCEPT in self._view.actions
+
     def write(self) -> None:
         """Write in the present language and colours."""
         self._title.setText(f"{self._number}  {step_word(self._step)}")
-        self._state.setText(f"{SHAPES[self.state]}  {state_word(self.state)}")
+        word = self.tr("ready to accept") if self.ready else state_word(self.state)
+        self._state.setText(f"{SHAPES[self.state]}  {word}")
         self._state.setStyleSheet(f"color: {colour(self.state)}; font-weight: 600;")
-        self._headline.setText("" if self._view is None else sentence(self._view.headline))
+        self._headline.setText(self._found())
         self._headline.setVisible(bool(self._headline.text()))
         why = "" if self._view is None else "\n".join(sentence(line) for line in self._view.why)
         self.setAccessibleName(self.text_shown())
         self.setAccessibleDescription(why)
         self.setToolTip("\n".join(filter(None, (self._headline.text(), why, f"Ctrl+{self._number}"))))
         self.updateGeometry()
+
+    def _found(self) -> str:
+        """The number that matters, or how far it is."""
+        if self._view is None:
+            return ""
+        content = self._view.content
+        # That it is ready is said by the line of the state already.
+        return sentence(content.headline if self.ready and content is not None else self._view.headline)
 
     def dress(self) -> None:
         """Take the theme's colours and sizes."""

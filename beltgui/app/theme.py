@@ -94,7 +94,7 @@ class Theme(QObject):
         font = application.font()
         font.setPixelSize(self.px(BASE_PX))
         application.setFont(font)
-        application.setStyleSheet(stylesheet(colours, self.px))
+        application.setStyleSheet(stylesheet(self.name, colours, self.px))
         self.changed.emit()
 
     def _system_changed(self) -> None:

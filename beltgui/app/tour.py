@@ -27,8 +27,13 @@ class Stop:
 
 
 def seen() -> bool:
-    """The tour has been seen or skipped before."""
+    """The tour has been seen, skipped or offered before."""
     return settings.text("tour_seen") == "yes"
+
+
+def keep_seen() -> None:
+    """It need not be offered again."""
+    settings.keep("tour_seen", "yes")
 
 
 class Tour(QObject):
@@ -82,8 +87,8 @@ class Tour(QObject):
         self._show()
 
     def end(self) -> None:
-        """End the tour, and do not begin it by itself again."""
-        settings.keep("tour_seen", "yes")
+        """End the tour; it is not offered again."""
+        keep_seen()
         for widget in self._watched:
             widget.removeEventFilter(self)
         for widget in (*self._bars, self.card):

@@ -25,7 +25,7 @@ from beltgui.app.rail import StepRail
 from beltgui.app.start_page import Begin, StartPage
 from beltgui.app.theme import theme
 from beltgui.app.top_bar import TopBar
-from beltgui.app.tour import Tour, seen
+from beltgui.app.tour import Tour, keep_seen, seen
 from beltgui.engine.messages import (
     Cancel,
     CellMoved,
@@ -232,8 +232,15 @@ class MainWindow(QMainWindow):
         self._looked = False
         self._write()
         self._refresh()
-        if not session.read_only and (self._tour_wanted or not seen()):
+        if self.page is not None:
+            self.page.take_focus()
+        if self._tour_wanted:
             self.begin_tour()
+        elif not session.read_only and not seen():
+            # Offered once.
+            keep_seen()
+            self.message.say("info", self.tr("New here? A tour of two minutes shows what is where; it is also in the "
+                                             "Help menu."), self.tr("&Take the tour"), self.begin_tour)  # fmt: skip
         self._tour_wanted = False
 
     def _step_changed(self, step: str) -> None:
@@ -336,6 +343,7 @@ class MainWindow(QMainWindow):
 
     def begin_tour(self) -> None:
         """Show around."""
+        self.message.hide()
         if self.tour is None:
             self.tour = Tour(self)
             self.tour.ended.connect(self._tour_ended)
@@ -343,6 +351,11 @@ class MainWindow(QMainWindow):
     def _tour_ended(self) -> None:
         self.tour = None
         self.rail.entries[self._step].setFocus()
+
+    def open_scene_window(self) -> None:
+        """Show the 3D view in a window of its own too."""
+        if self.page is not None:
+            self.page.scene.open_window()
 
     def show_keyboard(self) -> None:
         """Show all shortcuts."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLabel, QLineE
 from pytestqt.qtbot import QtBot
 
 from beltgui.app import language, settings
+from beltgui.app.dialogs import ExportDialog
 from beltgui.app.help_texts import help_of
 from beltgui.app.menus import faults
 from beltgui.app.palette import PALETTES
@@ -367,7 +368,7 @@ def test_closing_waits_until_all_has_stopped(screen: Screen) -> None:
     assert not screen.window.close()  # asking twice does not hurry it
     screen.engine.say(JobEnded(1, "stopped"))
     screen.qtbot.waitUntil(lambda: not screen.window.isVisible())
-    assert screen.engine.now.closed and screen.page.calls == ["shut down"]
+    assert screen.engine.now.closed and screen.page.calls == ["focus", "shut down"]
 
 
 def test_closing_does_not_wait_for_an_engine_that_is_silent_or_gone(screen: Screen) -> None:
@@ -409,7 +410,6 @@ def test_a_read_only_session_says_so_and_offers_no_change(screen: Screen) -> Non
         ("open", OpenSession("FOLDER", "Ada", False)),
         ("open_read_only", OpenSession("FOLDER", "Ada", True)),
         ("compare", Compare("FOLDER")),
-        ("export", Export("FOLDER")),
     ],
 )
 def test_folders_are_asked_for_without_blocking(
@@ -422,6 +422,29 @@ def test_folders_are_asked_for_without_blocking(
     dialog.fileSelected.emit("FOLDER")
     assert screen.engine.now.commands == [command]
     dialog.close()
+
+
+def test_a_folder_for_the_programs_is_proposed_and_enter_takes_it(screen: Screen) -> None:
+    screen.open(**dict.fromkeys(STEPS, StepState.ACCEPTED))
+    screen.window.menus.actions["export"].trigger()
+    dialog = screen.window.findChild(ExportDialog)
+    assert dialog.isVisible() and not dialog.isModal()
+    assert Path(dialog.folder.text()) == Path(str(opened().folder)) / "programs"
+    screen.qtbot.keyClick(dialog.folder, Qt.Key.Key_Return)
+    assert screen.engine.now.commands == [Export(str(Path(opened().folder) / "programs"))]
+    assert not dialog.isVisible()
+
+
+def test_another_folder_for_the_programs_can_be_chosen(screen: Screen) -> None:
+    screen.open(**dict.fromkeys(STEPS, StepState.ACCEPTED))
+    screen.window.menus.actions["export"].trigger()
+    dialog = screen.window.findChild(ExportDialog)
+    dialog.folder.setText("  ")
+    assert not dialog.write_button.isEnabled()
+    dialog.findChild(QPushButton, "export_choose").click()
+    dialog.findChild(QFileDialog, "folder_dialog").fileSelected.emit("FOLDER")
+    dialog.write_button.click()
+    assert screen.engine.now.commands == [Export("FOLDER")]
 
 
 def test_a_comparison_tells_changed_from_the_same(screen: Screen) -> None:
@@ -506,6 +529,9 @@ def test_the_window_is_small_enough_for_the_smallest_screen(screen: Screen) -> N
 def test_the_tour_goes_on_and_back_by_key_and_is_remembered(screen: Screen) -> None:
     settings.keep("tour_seen", "")
     screen.open()
+    assert screen.window.tour is None  # offered, and never in the way by itself
+    screen.button("message_button").click()
+    assert screen.window.message.text() == ""
     tour = screen.window.tour
     assert tour is not None and 8 <= len(tour.stops) <= 10
     shown = []
@@ -516,7 +542,7 @@ def test_the_tour_goes_on_and_back_by_key_and_is_remembered(screen: Screen) -> N
     assert screen.window.tour is None and len(set(shown)) == len(shown)
     assert settings.text("tour_seen") == "yes"
     screen.open()
-    assert screen.window.tour is None  # seen
+    assert screen.window.tour is None and screen.window.message.text() == ""  # offered once
     screen.window.menus.actions["tour"].trigger()
     assert screen.window.tour is not None
     screen.qtbot.keyClick(screen.window.tour.card.next_button, Qt.Key.Key_Right)

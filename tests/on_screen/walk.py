@@ -51,10 +51,14 @@ class Walk:
         screen.type(person)
         self.shot("start")
         screen.click("begin")
-        screen.wait("the tour of a first start", lambda: screen.enabled("tour_skip"))
+        screen.wait("the first step", lambda: screen.enabled("primary_button"))
+        screen.wait("the tour is offered", lambda: screen.enabled("message_button"))
+        self.shot("tour_offered")
+        screen.click("message_button")
+        screen.wait("the tour", lambda: screen.enabled("tour_skip"))
         self.shot("tour")
         screen.click("tour_skip")
-        screen.wait("the first step", lambda: screen.enabled("primary_button"))
+        screen.wait("the tour has ended", lambda: not screen.visible("tour_card"))
 
     def step(self, step: str) -> None:
         """One step: acquire, look, accept."""
@@ -75,10 +79,10 @@ class Walk:
         self.screen.click("primary_button")
 
     def export(self) -> None:
-        """Write the robot programs: the button, then Enter in the folder's dialog."""
+        """Write the robot programs: the button, then Enter in the dialog of the folder."""
         screen = self.screen
         screen.click("primary_button")
-        screen.wait("the folder's dialog", lambda: screen.visible("folder_dialog"))
+        screen.wait("the dialog of the folder", lambda: screen.visible("export_dialog"))
         self.shot("export_folder")
         screen.key("Return")
         screen.wait("the programs are written", lambda: screen.visible("exported_dialog"), STEP_S)
