@@ -12,7 +12,7 @@ from beltgui.engine.messages import Choose, JobStarted
 from beltgui.steps.state import StepState
 from beltgui.viewmodel.step import Action, Column, SampleRow, Use
 from beltgui.wizard.page import StepPage
-from tests.beltgui.wizard_canned import FakeScene, content, scene, view
+from tests.beltgui.wizard_canned import FakeScene, scene, view
 
 HALF = {"row": -2, "name": "pair 2", "scan_mm": [1.0, 2.0, 3.0], "cad_mm": None, "included": True, "worst": False}
 WHOLE = {"row": -1, "name": "pair 1", "scan_mm": [4.0, 5.0, 6.0], "cad_mm": [7.0, 8.0, 9.0], "included": False,
@@ -77,11 +77,17 @@ def test_a_suggested_touch_goes_to_the_cone_or_to_a_shaft(page: StepPage, said: 
     assert said == [Choose("tool", "extra_cone", [cone]), Choose("tool", "extra_shafts", {"fine": [10.0, 30.0]})]
 
 
-def test_touches_are_counted_by_kind(page: StepPage) -> None:
-    rows = tuple(SampleRow(k, f"touch {k}", (kind,), Use.FIT) for k, kind in enumerate(("cone", "cone", "shaft")))
-    page.set_step("tool")
-    page.show_step(view("tool", made=content(columns=(Column("kind", "Kind", "", None),), rows=rows, plots=())))
-    assert page.panels["tool"].findChild(QLabel, "tool_kinds").text().startswith("Touches: 2 in the cone, 1 on")
+def test_how_far_the_touches_are_is_said_for_the_cone_and_for_each_grinder(page: StepPage) -> None:
+    show(page, "tool", parts=(
+        {"grinder": "", "done": 12, "planned": 12},
+        {"grinder": "rough", "done": 2, "planned": 6, "rest": True},
+        {"grinder": "fine", "done": 6, "planned": 6, "rest": False},
+    ))  # fmt: skip
+    assert page.panels["tool"].findChild(QLabel, "tool_kinds").text().splitlines() == [
+        "✔ Cone: 12 of 12 touches",
+        "○ Grinder rough: 2 of 6 touches, head's stop read",
+        "○ Grinder fine: 6 of 6 touches, head's stop not read yet",
+    ]
 
 
 # ---- rough

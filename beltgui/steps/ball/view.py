@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from beltgui.steps.ball.advice import StageAdvice, advise, worst_point_sigma
 from beltgui.steps.ball.closing import is_complete, taken
 from beltgui.steps.ball.found import BallScan, ball_scans
-from beltgui.steps.ball.pictures import plots, scene, scene_of_scan
+from beltgui.steps.ball.pictures import plots, scene, scene_of_ball, scene_of_scan
 from beltgui.steps.ball.rows import WHERE_COLUMNS, note_of, use_of, where_cells
 from beltgui.steps.ball.step import STEP, BallOutcome, headline, wanted_poses
 from beltgui.steps.room import Bench
@@ -67,8 +67,11 @@ def content(bench: Bench, outcome: BallOutcome | None, error: str) -> StepConten
         provisional=not complete,
         headline=headline(outcome),
         scene=scene(bench.plan, outcome, advice),
+        second_scene=scene_of_ball(bench.plan, scans),
         plots=plots(outcome, len(bench.plan.stage_step)),
-        extra={} if advice is None or advice.planned else {"suggested": stage_values(advice)},
+        extra={} if advice is None or advice.planned else {
+            "suggested": stage_values(advice), "extra": bench.session.setting(STEP, "extra", []),
+        },
     )
 
 

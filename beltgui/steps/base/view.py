@@ -70,7 +70,9 @@ def content(bench: Bench, outcome: BaseOutcome | None, error: str) -> StepConten
         headline=headline(outcome),
         scene=scene(outcome, advice, planned, 0.5 * bench.plan.ball.diameter_mm),
         plots=plots(outcome, planned),
-        extra={} if advice is None or advice.planned else {"suggested": pose_values(advice.pose)},
+        extra={} if advice is None or advice.planned else {
+            "suggested": pose_values(advice.pose), "extra": bench.session.setting(STEP, "extra", []),
+        },
     )
 
 

@@ -14,7 +14,18 @@ from beltgui.steps.tool.advice import Advice, ConeAdvice, advise
 from beltgui.steps.tool.numbers import numbers
 from beltgui.steps.tool.pictures import ALL, CONE, plots, scene, use_of
 from beltgui.steps.tool.step import ToolOutcome, headline
-from beltgui.steps.tool.touches import ConeTouch, Missing, Rest, ShaftTouch, Touches, Wanted, missing, read, wanted
+from beltgui.steps.tool.touches import (
+    STEP,
+    ConeTouch,
+    Missing,
+    Rest,
+    ShaftTouch,
+    Touches,
+    Wanted,
+    missing,
+    read,
+    wanted,
+)
 from beltgui.steps.views.common import check_of, finite, in_deg, progress_text, reasons_of, with_worst_flagged
 from beltgui.steps.views.common import missing as missing_reason
 from beltgui.viewmodel.step import Check, Column, SampleRow, StepContent, Suggestion, Use
@@ -47,6 +58,7 @@ def content(bench: Bench, outcome: ToolOutcome | None, error: str) -> StepConten
         reasons=missing_reason(error),
         progress=progress,
         complete=not absent.count,
+        extra={"parts": parts(want, absent)},
     )
     if outcome is None:
         return replace(shown, headline=progress, scene=scene(bench.plan, touches, None, None, focus(absent)))
@@ -63,8 +75,31 @@ def content(bench: Bench, outcome: ToolOutcome | None, error: str) -> StepConten
         headline=headline(outcome),
         scene=scene(bench.plan, touches, outcome, advice, focus(absent)),
         plots=plots(outcome, bench.plan),
-        extra={} if advice is None or advice.slot is not None else {"suggested": touch_values(advice)},
+        extra={**shown.extra, **_to_be_added(bench, advice)},
     )
+
+
+def _to_be_added(bench: Bench, advice: Advice | None) -> dict[str, Any]:
+    """The touch that is worth planning in addition, and what was planned in addition before; see `touch_values`."""
+    if advice is None or advice.slot is not None:
+        return {}
+    setting = bench.session.setting
+    return {
+        "suggested": touch_values(advice),
+        "extra_cone": setting(STEP, "extra_cone", []),
+        "extra_shafts": setting(STEP, "extra_shafts", {}),
+    }
+
+
+def parts(want: Wanted, absent: Missing) -> tuple[dict[str, Any], ...]:
+    """How far each part is: the cone (`grinder` empty), then each grinder; `rest`: its head was read at its stop."""
+    cone = {"grinder": "", "done": len(want.cone) - len(absent.cone), "planned": len(want.cone)}
+    shafts = (
+        {"grinder": name, "done": len(angles) - len(absent.shafts[name]), "planned": len(angles),
+         "rest": name not in absent.rests}
+        for name, angles in want.shafts.items()
+    )  # fmt: skip
+    return (cone, *shafts)
 
 
 def _advice(outcome: ToolOutcome, plan: CellPlan, touches: Touches, want: Wanted) -> Advice | None:

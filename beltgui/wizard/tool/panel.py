@@ -1,15 +1,15 @@
-"""Stylus and tool: how many touches of each kind there are; the suggested touch can be added to the plan.
+"""Stylus and tool: how far the touches of each kind are; the suggested touch can be added to the plan.
 
 Object names: tool_kinds, take_suggested.
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import Any
 
 from PySide6.QtWidgets import QLabel, QWidget
 
+from beltgui.app.language import sentence
 from beltgui.wizard.suggested import SuggestedPanel
 
 
@@ -26,10 +26,10 @@ class ToolPanel(SuggestedPanel):
     def refresh(self) -> None:
         """Write all again."""
         super().refresh()
-        counts = self._counts()
-        words = self.tr("Touches: {cone} in the cone, {shaft} on wheel shafts; {stop} readings at the heads' stops.")
-        self.kinds.setText(words.format(cone=counts["cone"], shaft=counts["shaft"], stop=counts["stop"]))
-        self.kinds.setVisible(bool(counts))
+        lines = [self._line(part) for part in self.extra.get("parts", ())]
+        self.kinds.setText("\n".join(lines))
+        self.kinds.setAccessibleName("; ".join(lines))
+        self.kinds.setVisible(bool(lines))
 
     def added(self, suggested: Any) -> tuple[str, Any]:
         """A touch of a shaft is a head angle of its grinder, one of the cone is a pose."""
@@ -39,9 +39,14 @@ class ToolPanel(SuggestedPanel):
         shafts.setdefault(suggested["grinder"], []).append(suggested["angle_deg"])
         return "extra_shafts", shafts
 
-    def _counts(self) -> Counter[str]:
-        content = self.view.content if self.view is not None else None
-        keys = [column.key for column in content.columns] if content is not None else []
-        if content is None or "kind" not in keys:
-            return Counter()
-        return Counter(str(row.cells[keys.index("kind")]) for row in content.rows)
+    def _line(self, part: dict[str, Any]) -> str:
+        """How far one part is, e.g. `✔ Grinder fine: 6 of 6 touches, head's stop read`."""
+        whole = part["done"] >= part["planned"] and part.get("rest", True)
+        if not part["grinder"]:
+            words = self.tr("Cone: {done} of {planned} touches")
+        elif part["rest"]:
+            words = self.tr("Grinder {grinder}: {done} of {planned} touches, head's stop read")
+        else:
+            words = self.tr("Grinder {grinder}: {done} of {planned} touches, head's stop not read yet")
+        told = words.format(grinder=sentence(part["grinder"]), done=part["done"], planned=part["planned"])
+        return f"{'✔' if whole else '○'} {told}"
