@@ -11,6 +11,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from beltgui.app import language, settings
+from beltgui.app.opengl import why_no_window
 from beltgui.app.theme import theme
 from beltgui.steps.state import STEPS
 from beltgui.widgets.words import step_word
@@ -56,6 +57,7 @@ class Menus(QObject):
             "step_before": session,
             "step_after": session,
             "tour": session,
+            "scene_window": session and not why_no_window(),
         }
         for name, on in can.items():
             self.actions[name].setEnabled(on)
@@ -111,6 +113,11 @@ class Menus(QObject):
             action.setCheckable(True)
             action.setChecked(language.current() == code)
             tongues.addAction(action)
+        menu.addSeparator()
+        beside = self._add(menu, "scene_window", self.tr("&3D view in a window of its own"),
+                           self._window.open_scene_window, "F11")  # fmt: skip
+        beside.setToolTip(why_no_window())
+        menu.setToolTipsVisible(bool(why_no_window()))
         menu.addSeparator()
         larger = self._add(menu, "larger", self.tr("Lar&ger text"), lambda: theme().resize(+1))
         larger.setShortcuts([QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")])

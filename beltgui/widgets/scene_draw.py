@@ -74,7 +74,7 @@ def split(width: int, count: int) -> list[tuple[int, int]]:
 class _Drawn:
     """An actor that is kept as long as its item keeps its name."""
 
-    def __init__(self, renderer: Any) -> None:
+    def __init__(self, renderer: Any, swapped: bool) -> None:
         from vtkmodules.vtkCommonDataModel import vtkPolyData
         from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
@@ -82,6 +82,7 @@ class _Drawn:
         self.hover: int | None = None
         self._geometry: Geometry | None = None
         self._renderer = renderer
+        self._swapped = swapped
         self._data = vtkPolyData()
         self._mapper = vtkPolyDataMapper()
         self._mapper.SetInputData(self._data)
@@ -124,7 +125,7 @@ class _Drawn:
         of_points, of_cells = geometry.point_colours, geometry.cell_colours
         for colours, owner in ((of_points, data.GetPointData()), (of_cells, data.GetCellData())):
             if colours is not None:
-                owner.SetScalars(numpy_to_vtk(np.ascontiguousarray(colours[:, ::-1])))
+                owner.SetScalars(numpy_to_vtk(np.ascontiguousarray(colours[:, ::-1] if self._swapped else colours)))
         if geometry.cell_colours is not None:
             self._mapper.SetScalarModeToUseCellData()
         else:
@@ -133,7 +134,7 @@ class _Drawn:
 
     def _paint(self, geometry: Geometry) -> None:
         look = self._actor.GetProperty()
-        look.SetColor(*_swapped(geometry.colour))
+        look.SetColor(*_parts(geometry.colour, self._swapped))
         look.SetOpacity(geometry.opacity)
         look.SetLighting(geometry.lit)
         look.SetAmbient(0.38)
@@ -157,29 +158,24 @@ class _View:
     layers: tuple[dict[str, _Drawn], dict[str, _Drawn]] = field(default_factory=lambda: ({}, {}))
 
 
-class Stage:
-    """Keeps what is drawn and renders it; one for each 3D view. `close` frees it."""
+class Scenery:
+    """What is drawn in a render window, and with which cameras; shows one request after the other.
 
-    def __init__(self) -> None:
-        if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-            os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (registers the OpenGL classes)
-        from vtkmodules.vtkRenderingCore import vtkRenderWindow
+    Args:
+        window: A `vtkRenderWindow`; it is not rendered here.
+        swapped: Red and blue change places in all colours: the pixels are read in Qt's order then, without a pass
+            over them.
+    """
 
-        self._window = vtkRenderWindow()
-        self._window.SetOffScreenRendering(1)
-        self._window.SetMultiSamples(0)
+    def __init__(self, window: Any, *, swapped: bool) -> None:
+        self._window = window
+        self._swapped = swapped
         self._views: list[_View] = []
         self._palette: Mapping[str, str] = {}
         self._ratio = 1.0
 
-    def draw(self, request: Request, into: NDArray[np.uint8] | None = None) -> NDArray[np.uint8]:
-        """Pixels (height, width, 4), top row first, blue green red (unused): what Qt calls RGB32.
-
-        Args:
-            request: What to draw.
-            into: Array for the pixels; None makes one.
-        """
+    def show(self, request: Request) -> None:
+        """Take over what is new in a request; the next rendering of the window shows it."""
         self._arrange(request)
         anew = request.palette != self._palette
         self._palette = request.palette
@@ -188,7 +184,7 @@ class Stage:
             for drawn in (one for view in self._views for layer in view.layers for one in layer.values()):
                 drawn.size(self._ratio)
         for view, wanted in zip(self._views, request.views, strict=True):
-            view.renderer.SetBackground(*_swapped(request.palette[BACKGROUND]))
+            view.renderer.SetBackground(*_parts(request.palette[BACKGROUND], self._swapped))
             self._fill(view.layers[0], wanted.items, view.renderer, wanted.hover_face, anew)
             self._fill(view.layers[1], wanted.extras, view.renderer, None, anew)
             camera = view.renderer.GetActiveCamera()
@@ -197,20 +193,16 @@ class Stage:
             camera.SetViewUp(*wanted.up)
             camera.SetViewAngle(wanted.angle_deg)
             view.renderer.ResetCameraClippingRange()
-        self._window.Render()
-        return self._pixels(request, into)
 
-    def close(self) -> None:
-        """Free the OpenGL objects."""
+    def clear(self) -> None:
+        """Take everything out of the window."""
         for view in self._views:
             self._window.RemoveRenderer(view.renderer)
         self._views.clear()
-        self._window.Finalize()
 
     def _arrange(self, request: Request) -> None:
         from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
-        self._window.SetSize(request.width, request.height)
         while len(self._views) > len(request.views):
             self._window.RemoveRenderer(self._views.pop().renderer)
         while len(self._views) < len(request.views):
@@ -240,8 +232,40 @@ class Stage:
             drawn.pop(name).remove()
         for item in items:
             if item.name not in drawn:
-                drawn[item.name] = _Drawn(renderer)
+                drawn[item.name] = _Drawn(renderer, self._swapped)
             drawn[item.name].show(item, self._palette, self._ratio, hover)
+
+
+class Stage:
+    """Renders requests off-screen into pixels; one for each 3D view. `close` frees it."""
+
+    def __init__(self) -> None:
+        if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+            os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
+        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (registers the OpenGL classes)
+        from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(1)
+        self._window.SetMultiSamples(0)
+        self._scenery = Scenery(self._window, swapped=True)
+
+    def draw(self, request: Request, into: NDArray[np.uint8] | None = None) -> NDArray[np.uint8]:
+        """Pixels (height, width, 4), top row first, blue green red (unused): what Qt calls RGB32.
+
+        Args:
+            request: What to draw.
+            into: Array for the pixels; None makes one.
+        """
+        self._window.SetSize(request.width, request.height)
+        self._scenery.show(request)
+        self._window.Render()
+        return self._pixels(request, into)
+
+    def close(self) -> None:
+        """Free the OpenGL objects."""
+        self._scenery.clear()
+        self._window.Finalize()
 
     def _pixels(self, request: Request, into: NDArray[np.uint8] | None) -> NDArray[np.uint8]:
         from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -255,10 +279,10 @@ class Stage:
         return pixels
 
 
-def _swapped(text: str) -> tuple[float, float, float]:
-    """Red and blue change places in all colours: the pixels then come out in Qt's order without a pass over them."""
-    red, green, blue = rgb_of(text)
-    return blue / 255.0, green / 255.0, red / 255.0
+def _parts(text: str, swapped: bool) -> tuple[float, float, float]:
+    """Red, green and blue of `#rrggbb`, 0 to 1; swapped: blue first."""
+    red, green, blue = (part / 255.0 for part in rgb_of(text))
+    return (blue, green, red) if swapped else (red, green, blue)
 
 
 def serve(connection: Any) -> None:

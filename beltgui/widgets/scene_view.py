@@ -8,17 +8,20 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QElapsedTimer, QEvent, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QElapsedTimer, QEvent, QSize, QSizeF, Signal
 from PySide6.QtGui import QCloseEvent, QImage, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from beltgui.app.opengl import why_no_window
 from beltgui.app.theme import theme
 from beltgui.viewmodel.scene import Item, Scene
+from beltgui.widgets.scene_view_buttons import ViewButtons
 from beltgui.widgets.scene_view_canvas import Canvas
 from beltgui.widgets.scene_view_link import LocalDrawer, ProcessDrawer
 from beltgui.widgets.scene_view_motion import motion_items, motion_scene, robot_items
 from beltgui.widgets.scene_view_overlay import Pin
 from beltgui.widgets.scene_view_pick import Hit
+from beltgui.widgets.scene_window import SceneWindow
 
 Array = NDArray[np.float64]
 
@@ -45,11 +48,13 @@ class SceneView(QWidget):
         picked_point: (name of the item, (3,) mm in that scene's frame, True for the second scene).
         picked_face: (id of the CAD face, True for the second scene).
         picture_shown: A new picture is on the screen.
+        laid_out: Other scenes or marks are to be seen.
     """
 
     picked_point = Signal(str, object, bool)
     picked_face = Signal(int, bool)
     picture_shown = Signal()
+    laid_out = Signal()
 
     def __init__(self, parent: QWidget | None = None, *, own_process: bool = True) -> None:
         super().__init__(parent)
@@ -65,6 +70,7 @@ class SceneView(QWidget):
         self._motion_scene: Scene | None = None
         self._extras: tuple[Item, ...] = ()
         self._pins: tuple[tuple[Pin, ...], tuple[Pin, ...]] = ((), ())
+        self.window_beside: SceneWindow | None = None
         self.setObjectName("scene_view")
         self.canvas = Canvas(self)
         self.canvas.setObjectName("scene_canvas")
@@ -145,11 +151,24 @@ class SceneView(QWidget):
         """What is seen, with all that is written over it."""
         return self.canvas.grab().toImage()
 
+    def open_window(self) -> None:
+        """Show the same in a window of its own too, where the screen can; there is one, it comes to the front."""
+        if why_no_window() or self._closed:
+            return
+        if self.window_beside is None:
+            self.window_beside = SceneWindow(self)
+            self.window_beside.closed.connect(self._window_closed)
+        self.window_beside.show()
+        self.window_beside.raise_()
+        self.window_beside.activateWindow()
+
     def shut_down(self) -> None:
         """End the drawing; must be called before the widget goes, and may be called twice."""
         if self._closed:
             return
         self._closed = True
+        if self.window_beside is not None:
+            self.window_beside.close()
         theme().changed.disconnect(self._theme_changed)
         self.canvas.shut_down()
         if self._drawer is not None:
@@ -183,6 +202,7 @@ class SceneView(QWidget):
             if pane.scene is self._second:
                 pane.pins = self._pins[1]
         self.canvas.update()
+        self.laid_out.emit()
 
     def _renew_extras(self) -> None:
         robot = () if self._robot is None else robot_items(self._robot)
@@ -213,38 +233,27 @@ class SceneView(QWidget):
         self._write()
 
     def _build_buttons(self) -> None:
-        self._bar = QWidget(self.canvas)
-        row = QHBoxLayout(self._bar)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        self._buttons = {name: QToolButton(self._bar) for name in ("fit", "front", "side", "top", "oblique")}
-        for name, button in self._buttons.items():
-            button.setObjectName(f"scene_{name}")
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.clicked.connect(lambda _=False, name=name: self.look(name))
-            row.addWidget(button)
-        self._restart = QToolButton(self._bar)
-        self._restart.setObjectName("scene_restart")
+        self._bar = ViewButtons("scene", self.canvas)
+        self._bar.look_wanted.connect(self.look)
+        self._own_window = self._bar.add("own_window")
+        self._own_window.clicked.connect(self.open_window)
+        self._restart = self._bar.add("restart")
         self._restart.clicked.connect(self._start_again)
         self._restart.hide()
-        row.addWidget(self._restart)
+
+    def _window_closed(self) -> None:
+        self.window_beside = None
 
     def _start_again(self) -> None:
         self._restart.hide()
         self.prepare()
 
     def _write(self) -> None:
-        texts = {
-            "fit": (self.tr("Fit"), self.tr("Everything into the picture (F, or a double click)")),
-            "front": (self.tr("Front"), self.tr("Along +y: x to the right, z up (1)")),
-            "side": (self.tr("Side"), self.tr("Along −x: y to the right, z up (2)")),
-            "top": (self.tr("Top"), self.tr("Along −z: x to the right, y up (3)")),
-            "oblique": (self.tr("Oblique"), self.tr("From the front, right and above (4)")),
-        }
-        for name, (text, tip) in texts.items():
-            self._buttons[name].setText(text)
-            self._buttons[name].setToolTip(tip)
-            self._buttons[name].setAccessibleName(text)
+        self._own_window.setText(self.tr("Window"))
+        self._own_window.setAccessibleName(self.tr("3D view in a window of its own"))
+        self._own_window.setEnabled(not why_no_window())
+        tip = self.tr("The same in a window of its own, drawn by the graphics card: large, or on another screen (F11)")
+        self._own_window.setToolTip(why_no_window() or tip)
         self._restart.setText(self.tr("Start the 3D view again"))
         self._restart.setAccessibleName(self._restart.text())
         self.canvas.setAccessibleName(self.tr("3D view"))

@@ -232,9 +232,7 @@ class Canvas(QWidget):
 
     def _take(self, picture: Picture) -> None:
         self._in_flight = False
-        height, width, _ = picture.pixels.shape
-        self._pixels = picture.pixels  # the image reads from it
-        self._picture = QImage(picture.pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+        self._keep(picture)
         self.seconds = picture.seconds
         if self._sharp:
             self._sharp_seconds = picture.seconds
@@ -245,6 +243,11 @@ class Canvas(QWidget):
             self._gather.start()
         self.picture_shown.emit()
 
+    def _keep(self, picture: Picture) -> None:
+        height, width, _ = picture.pixels.shape
+        self._pixels = picture.pixels  # the image reads from it
+        self._picture = QImage(picture.pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+
     def _at_rest(self) -> None:
         self._interacting = False
         if not self._sharp:
@@ -253,17 +256,12 @@ class Canvas(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802  (Qt's name)
         """The picture, and what is written over it."""
         painter = QPainter(self)
-        if self._picture.isNull() or not self.panes:
+        if not self._has_picture() or not self.panes:
             painter.fillRect(self.rect(), QColor(colour(BACKGROUND)))
             painter.setPen(QColor(colour("muted")))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.notice)
             return
-        if self._picture.size() == self.size() * self.devicePixelRatioF():
-            self._picture.setDevicePixelRatio(self.devicePixelRatioF())
-            painter.drawImage(QPoint(0, 0), self._picture)
-        else:
-            self._picture.setDevicePixelRatio(1.0)
-            painter.drawImage(QRectF(self.rect()), self._picture)
+        self._paint_picture(painter)
         rects = self.rects()
         for number, (pane, rect) in enumerate(zip(self.panes, rects, strict=True)):
             free = self.keep_free if number == len(rects) - 1 else QSizeF(0.0, 0.0)
@@ -275,6 +273,17 @@ class Canvas(QWidget):
         if self.hasFocus():
             painter.setPen(QColor(colour("accent")))
             painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def _has_picture(self) -> bool:
+        return not self._picture.isNull()
+
+    def _paint_picture(self, painter: QPainter) -> None:
+        if self._picture.size() == self.size() * self.devicePixelRatioF():
+            self._picture.setDevicePixelRatio(self.devicePixelRatioF())
+            painter.drawImage(QPoint(0, 0), self._picture)
+        else:
+            self._picture.setDevicePixelRatio(1.0)
+            painter.drawImage(QRectF(self.rect()), self._picture)
 
     def _word(self, text: str) -> str:
         if text not in self._words:

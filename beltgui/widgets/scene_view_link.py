@@ -26,9 +26,12 @@ GOODBYE_S = 5.0
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """What was drawn: `pixels` (height, width, 4) in the order of Qt's RGB32, and the seconds it took."""
+    """What was drawn: `pixels` (height, width, 4) in the order of Qt's RGB32, and the seconds it took.
 
-    pixels: NDArray[np.uint8]
+    No pixels: it was drawn into the window itself.
+    """
+
+    pixels: NDArray[np.uint8] | None
     seconds: float
 
 
