@@ -20,8 +20,16 @@ def ask_folder(parent: QWidget, title: str, start: Path, then: Callable[[str], N
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setModal(False)
     dialog.fileSelected.connect(then)
+    dialog.finished.connect(parent.window().activateWindow)
     dialog.show()
+    to_front(dialog)
     return dialog
+
+
+def to_front(window: QWidget) -> None:
+    """Above the others and with the keyboard."""
+    window.raise_()
+    window.activateWindow()
 
 
 def where_sessions_are() -> Path:

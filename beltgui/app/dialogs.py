@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt, QUrl, Signal
-from PySide6.QtGui import QColor, QDesktopServices, QFontDatabase, QGuiApplication
+from PySide6.QtGui import QColor, QDesktopServices, QFontDatabase, QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from beltgui import __version__
-from beltgui.app.choose import ask_folder
+from beltgui.app.choose import ask_folder, to_front
 from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px
 from beltgui.engine.messages import Compared, ComparedRow, Exported
@@ -41,6 +41,18 @@ class Beside(QDialog):
         self.body = QVBoxLayout(self)
         self._buttons = QHBoxLayout()
         self._buttons.addStretch(1)
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  (Qt's name)
+        """The keyboard is here while it is open, also where no window manager sees to that."""
+        super().showEvent(event)
+        to_front(self)
+
+    def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802  (Qt's name)
+        """The keyboard goes back to where it came from."""
+        super().hideEvent(event)
+        parent = self.parentWidget()
+        if parent is not None and parent.window().isVisible():
+            parent.window().activateWindow()
 
     def finish(self) -> None:
         """Add the row of buttons at the end."""

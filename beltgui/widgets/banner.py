@@ -188,6 +188,10 @@ class Banner(QFrame):
         self._scroll.verticalScrollBar().setValue(0)
         self.updateGeometry()
 
+    def hasHeightForWidth(self) -> bool:  # noqa: N802
+        """The layout's own rule would count the scroll area's wish; see `sizeHint`."""
+        return False
+
     def sizeHint(self) -> QSize:  # noqa: N802
         """As high as its text at the present width, within limits."""
         return QSize(px(200), self._height())
@@ -205,7 +209,7 @@ class Banner(QFrame):
         spacing = self.layout().spacing()
         body = self.body.heightForWidth(width) + spacing if self.body.text() else 0
         whole = above + self.word.heightForWidth(width) + body + spacing + self.copy_button.sizeHint().height()
-        return min(whole, px(HIGHEST_PX))
+        return min(whole + px(4), px(HIGHEST_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
         """Other line breaks at another width."""

@@ -24,6 +24,8 @@ from beltgui.viewmodel.step import Column, SampleRow
 from beltgui.widgets.samples_model import SHARE_ROLE, SamplesModel
 
 WIDEST_PX = 220
+# The application's tick box is wider than the style's, which a column's own wish counts with.
+TICK_PX = 10
 
 
 class BarDelegate(QStyledItemDelegate):
@@ -213,12 +215,14 @@ class SamplesTable(QWidget):
     def _fit_columns(self) -> None:
         self.view.resizeColumnsToContents()
         for column in range(self.model.columnCount()):
-            self.view.setColumnWidth(column, min(self.view.columnWidth(column), px(WIDEST_PX)))
+            wanted = self.view.columnWidth(column) + (px(TICK_PX) if column == 0 else 0)
+            self.view.setColumnWidth(column, min(wanted, px(WIDEST_PX)))
 
     def _widen_columns(self) -> None:
         """A longer text has come; columns never become narrower by themselves."""
         for column in range(self.model.columnCount() - 1):
-            wanted = min(self.view.sizeHintForColumn(column) + 2, px(WIDEST_PX))
+            wanted = self.view.sizeHintForColumn(column) + (px(TICK_PX) if column == 0 else 2)
+            wanted = min(wanted, px(WIDEST_PX))
             if wanted > self.view.columnWidth(column):
                 self.view.setColumnWidth(column, wanted)
 

@@ -54,7 +54,7 @@ class LiveValues(QLabel):
                 else self.tr("■ stands still")
             )
             place = self.tr("Flange in {B}: ") + f"{x:.1f}, {y:.1f}, {z:.1f} mm"
-            return [f"{place}  {state}"]
+            return [self.tr("Robot: ") + state, place]
         if key == "stage":
             x, y, z, theta = cell.stage
             return [self.tr("Stage: ") + f"{x:.2f}, {y:.2f}, {z:.2f} mm, {theta:.2f}°"]

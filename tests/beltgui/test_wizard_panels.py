@@ -85,7 +85,7 @@ def test_how_far_the_touches_are_is_said_for_the_cone_and_for_each_grinder(page:
     ))  # fmt: skip
     assert page.panels["tool"].findChild(QLabel, "tool_kinds").text().splitlines() == [
         "✔ Cone: 12 of 12 touches",
-        "○ Grinder rough: 2 of 6 touches, head's stop read",
+        "○ Grinder rough: 2 of 6 touches",
         "○ Grinder fine: 6 of 6 touches, head's stop not read yet",
     ]
 

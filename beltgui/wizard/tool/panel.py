@@ -40,13 +40,13 @@ class ToolPanel(SuggestedPanel):
         return "extra_shafts", shafts
 
     def _line(self, part: dict[str, Any]) -> str:
-        """How far one part is, e.g. `✔ Grinder fine: 6 of 6 touches, head's stop read`."""
-        whole = part["done"] >= part["planned"] and part.get("rest", True)
-        if not part["grinder"]:
-            words = self.tr("Cone: {done} of {planned} touches")
-        elif part["rest"]:
-            words = self.tr("Grinder {grinder}: {done} of {planned} touches, head's stop read")
-        else:
-            words = self.tr("Grinder {grinder}: {done} of {planned} touches, head's stop not read yet")
+        """How far one part is, e.g. `✔ Grinder fine: 6 of 6 touches`."""
+        read = part.get("rest", True)
+        whole = part["done"] >= part["planned"] and read
+        words = self.tr("Grinder {grinder}: {done} of {planned} touches") if part["grinder"] else (
+            self.tr("Cone: {done} of {planned} touches")
+        )  # fmt: skip
         told = words.format(grinder=sentence(part["grinder"]), done=part["done"], planned=part["planned"])
+        if not read:
+            told += self.tr(", head's stop not read yet")
         return f"{'✔' if whole else '○'} {told}"
