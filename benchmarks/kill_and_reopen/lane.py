@@ -242,9 +242,12 @@ class Lane:
         self._within("acquire")
 
     def _finish_acquire(self, stage: Stage) -> None:
-        if self._pilot.announced.can(stage.step, "acquire"):
+        announced = self._pilot.announced
+        # After a step was accepted, the steps that stand on it are shown one after the other.
+        self._pilot.until(lambda: announced.can(stage.step, "acquire") or announced.steps[stage.step]["complete"])
+        if not announced.steps[stage.step]["complete"]:
             self._pilot.work("Acquire", step=stage.step)
-        shown = self._pilot.announced.steps[stage.step]
+        shown = announced.steps[stage.step]
         if not shown["complete"]:
             raise MissedError(f"{stage.step} is not complete: {shown['reasons']}")
 

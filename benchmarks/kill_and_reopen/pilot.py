@@ -106,6 +106,12 @@ class Pilot:
             return {}
         raise MissedError(f"waited in vain; the last: {str(self._lines[-3:])[:600]}")
 
+    def until(self, there: Callable[[], bool], timeout_s: float = WAIT_S) -> None:
+        """Wait until what has been announced is as wanted."""
+        with self._changed:
+            if not self._changed.wait_for(there, timeout_s):
+                raise MissedError(f"waited in vain; on the rail: {self.announced.states()}")
+
     def work(self, name: str, **words: Any) -> Line:
         """A command that is a job, to its end."""
         self.forget()
