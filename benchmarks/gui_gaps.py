@@ -1,12 +1,12 @@
 """How long the window's event loop is ever held up while scans of 3 million points arrive.
 
-`python -m benchmarks.gui_gaps [--of window|view] [--size 1280x800] [--seconds 20] [--rate 3] [--scans 8] [--stacks FILE]`
+`python -m benchmarks.gui_gaps [--of window|view] [--size 1280x800] [--scans 8] [--seconds 20] [--rate 3]`
 
 Without a screen it opens one with xvfb-run (software OpenGL).
 
-`window`: the application as `beltcal gui --sim` starts it, with its engine and its drawing process. The ball step's scans
-are simulated at full resolution, as fast as they can be (3 million points each); samples, table, plots, numbers and the
-scene follow each. After half of the scans a hand turns the scene.
+`window`: the application as `beltcal gui --sim` starts it, with its engine and its drawing process. The ball step's
+scans are simulated at full resolution, as fast as they can be (3 million points each); samples, table, plots, numbers
+and the scene follow each. After half of the scans a hand turns the scene.
 
 `view`: the 3D view alone. One process sends a new picture of a scan, thinned as the engine thins it, `rate` times a
 second, and another one takes simulated scans at full resolution without a pause; then a hand turns the scene.
@@ -71,8 +71,8 @@ class GapMeter:
         from PySide6.QtCore import Qt, QTimer
 
         self._times: list[tuple[float, float]] = []
-        self._waits = open(f"/proc/self/task/{threading.get_native_id()}/schedstat", encoding="ascii")  # noqa: SIM115
-        self._stacks = open(stacks, "w", encoding="utf-8") if stacks else None  # noqa: SIM115  (until the end)
+        self._waits = open(f"/proc/self/task/{threading.get_native_id()}/schedstat", encoding="ascii")
+        self._stacks = open(stacks, "w", encoding="utf-8") if stacks else None
         self._timer = QTimer(interval=TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick)
 
@@ -319,14 +319,14 @@ def report(size: tuple[int, int], results: list[tuple[str, Gaps]]) -> int:
     return 0 if all(gaps.ok for _, gaps in results) else 1
 
 
-def on_a_screen(size: tuple[int, int]) -> int | None:
+def on_a_screen(size: tuple[int, int], module: str) -> int | None:
     """Run again under xvfb-run where there is no screen; None: there is one."""
     if os.environ.get("DISPLAY") or not sys.platform.startswith("linux"):
         return None
     if shutil.which("xvfb-run") is None:
         raise FileNotFoundError("there is no screen, and xvfb-run is missing; `make setup` installs it.")
     screen = f"-screen 0 {size[0]}x{size[1]}x24"
-    words = ["xvfb-run", "-a", "-s", screen, sys.executable, "-m", "benchmarks.gui_gaps", *sys.argv[1:]]
+    words = ["xvfb-run", "-a", "-s", screen, sys.executable, "-m", module, *sys.argv[1:]]
     return subprocess.run(words, env={**os.environ, "QT_QPA_PLATFORM": "xcb"}, check=False).returncode
 
 
@@ -340,7 +340,7 @@ def main() -> int:
     parser.add_argument("--stacks", default="", help="file for what the threads did in a gap of more than 50 ms")
     arguments = parser.parse_args()
     width, height = (int(part) for part in arguments.size.split("x"))
-    elsewhere = on_a_screen((width, height))
+    elsewhere = on_a_screen((width, height), "benchmarks.gui_gaps")
     if elsewhere is not None:
         return elsewhere
     if arguments.of == "view":

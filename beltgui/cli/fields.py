@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from beltgui.files import read_input
 from core.errors import InputError
-from core.frames import checked_rigid
 
 Array = NDArray[np.float64]
 
@@ -108,6 +107,8 @@ class Field:
 
     def transform(self) -> Array:
         """(4, 4) rigid transform with its translation in mm."""
+        from core.frames import checked_rigid  # brings half a second of scipy, which the window does without
+
         if not isinstance(self.value, list) or len(self.value) != 4:
             raise self.error("a 4x4 matrix, row by row")
         return checked_rigid([row.vector(4) for row in self.items("rows")], self.label)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSizeF, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QSizeF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QMainWindow, QWidget
 
@@ -100,9 +100,9 @@ class SceneWindow(QMainWindow):
         if self._why:
             self.canvas.notice = self.tr("This window cannot be drawn: {reason}").format(reason=self._why)
         elif not self.canvas.panes:
-            self.canvas.notice = self.tr("Nothing to show yet.")
+            self.canvas.notice = QCoreApplication.translate("SceneView", "Nothing to show yet.")
         else:
-            self.canvas.notice = self.tr("The 3D view is being prepared.")
+            self.canvas.notice = QCoreApplication.translate("SceneView", "The 3D view is being prepared.")
         self._lay_out()
 
     def _lay_out(self) -> None:
