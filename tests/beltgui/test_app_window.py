@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QSettings, Qt, QTimer
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QLabel, QLineEdit, QPushButton, QTableWidget
 from pytestqt.qtbot import QtBot
 
@@ -402,6 +403,13 @@ def test_a_read_only_session_says_so_and_offers_no_change(screen: Screen) -> Non
     assert screen.window.menus.actions["compare"].isEnabled()
     screen.open()
     assert screen.window.read_only_notice.text() == "" and not screen.page.read_only
+
+
+def test_a_window_for_the_picture_says_why_it_cannot_be_had_on_this_screen(screen: Screen) -> None:
+    screen.open()
+    action = screen.window.menus.actions["scene_window"]
+    assert action.shortcut() == QKeySequence("F11") and not action.isEnabled()
+    assert "OpenGL" in action.toolTip() and "offscreen" in action.toolTip()
 
 
 @pytest.mark.parametrize(
