@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QTabWidget, QToolButton, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
@@ -54,7 +54,7 @@ class PlotsArea(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.tabs)
-        self._put_aside(self._make_canvas())
+        QTimer.singleShot(0, self, self._prepare)
         self.retranslate()
 
     def show_plots(self, plots: tuple[Plot, ...]) -> None:
@@ -123,6 +123,11 @@ class PlotsArea(QWidget):
             canvas.show()
         canvas.show_plot(self._plots[key])
         canvas.choose(self._chosen)
+
+    def _prepare(self) -> None:
+        """The first canvas is made before it is needed, in a turn of the event loop that does nothing else."""
+        if not self._canvases and not self._free:
+            self._put_aside(self._make_canvas())
 
     def _take_canvas(self) -> PlotCanvas:
         """One that is free; making a new one takes the time of a frame or two."""
