@@ -37,9 +37,9 @@ DEAF = {
 # The first thing handed to these is the key by which plots, columns and parts of a scene are told apart.
 KEYED = {
     "Arrow", "Column", "Frame", "Label", "Lines", "Mesh", "Plot", "Points", "arrows", "cylinder", "disc", "exaggerated",
-    "flange", "label", "robot_base", "scanner_volume", "segments", "sphere", "spheres", "triads",
+    "flange", "funnel", "label", "robot_base", "scanner_volume", "segments", "sphere", "spheres", "triads",
 }  # fmt: skip
-OPTIONS = {"errors", "format", "indexing", "join_style", "method", "mode", "side", "view"}
+OPTIONS = {"errors", "fit_to", "format", "indexing", "join_style", "method", "mode", "side", "view"}
 # Put together in two places, so that no single template shows which word belongs to which.
 TOGETHER = ("grinder {0} angle", "grinder {0} force", "{0} and others", "{H {0}}", "{H {0}, by the drawing}")
 # Said by the operating system and by the database, and handed on.

@@ -168,6 +168,11 @@ class Scene:
         items: What to draw.
         view: The camera is set anew when this text changes, and otherwise left where the person put it.
         legend: (role, words) of what needs explaining.
+        look_from: From where the first picture is taken: a direction (3,) in the scene's frame, from the middle of what
+            is seen towards the eye; None is the standard oblique view.
+        up: (3,) what is up in that picture; used with `look_from`.
+        fit_to: The first picture takes in the items whose names begin with one of these; empty takes in all.
+        beside: More pictures, each in a viewport of its own to the right of this one.
     """
 
     title: str
@@ -175,3 +180,7 @@ class Scene:
     items: tuple[Item, ...]
     view: str = ""
     legend: tuple[tuple[Role, str], ...] = ()
+    look_from: tuple[float, float, float] | None = None
+    up: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    fit_to: tuple[str, ...] = ()
+    beside: tuple[Scene, ...] = ()

@@ -68,6 +68,7 @@ class SceneView(QWidget):
         self._robot: Array | None = None
         self._motion_items: tuple[Item, ...] = ()
         self._motion_scene: Scene | None = None
+        self._robot_items: tuple[Item, ...] = ()
         self._extras: tuple[Item, ...] = ()
         self._pins: tuple[tuple[Pin, ...], tuple[Pin, ...]] = ((), ())
         self.window_beside: SceneWindow | None = None
@@ -97,21 +98,18 @@ class SceneView(QWidget):
         self._write()
 
     def show_scene(self, scene: Scene | None, second: Scene | None = None) -> None:
-        """Show a scene, or two side by side; None shows nothing."""
+        """Show a scene with those beside it, or two side by side; None shows nothing."""
         self._scene, self._second = scene, second
         self._lay_out()
 
     def show_motion(self, path: Array | None) -> None:
         """Show a planned motion, (n, 4, 4) base_from_flange, or take it away.
 
-        In a scene of the robot's base it is drawn into the scene, otherwise beside it in one of its own.
+        It has a viewport of its own beside the first scene; in a scene of the robot's base it is drawn there too.
         """
         self._path = None if path is None else np.asarray(path, dtype=float).reshape(-1, 4, 4)
         self._motion_items = () if self._path is None or not len(self._path) else motion_items(self._path)
-        if self._path is None:
-            self._motion_scene = None
-        elif self._motion_scene is None:
-            self._motion_scene = motion_scene()
+        self._motion_scene = None if self._path is None else motion_scene(self._path)
         self._renew_extras()
 
     def show_robot(self, base_from_flange: Array | None) -> None:
@@ -123,6 +121,7 @@ class SceneView(QWidget):
         elif base_from_flange is None and self._robot is None:
             return
         self._robot = None if base_from_flange is None else np.array(base_from_flange, dtype=float)
+        self._robot_items = () if self._robot is None else robot_items(self._robot)
         self._renew_extras()
 
     def show_picks(self, first: tuple[Pin, ...] = (), second: tuple[Pin, ...] = ()) -> None:
@@ -182,19 +181,24 @@ class SceneView(QWidget):
     # --- within
 
     def _lay_out(self) -> None:
-        wanted: list[tuple[Scene, tuple[Item, ...]]] = []
-        if self._scene is not None:
-            wanted.append((self._scene, self._extras if self._scene.frame == "B" else ()))
-        beside = self._motion_scene if self._scene is None or self._scene.frame != "B" else None
-        if beside is not None:
-            wanted.append((beside, self._extras))
+        scenes = [] if self._scene is None else [self._scene, *self._scene.beside]
+        if self._motion_scene is not None:
+            scenes = [*scenes[:1], self._motion_scene]
         elif self._second is not None:
-            wanted.append((self._second, self._extras if self._second.frame == "B" else ()))
+            scenes.append(self._second)
+        wanted: list[tuple[Scene, tuple[Item, ...]]] = []
+        for scene in scenes:
+            moving = self._extras if scene in (self._scene, self._motion_scene) else self._robot_items
+            wanted.append((scene, moving if scene.frame == "B" else ()))
         self.canvas.set_panes(wanted)
         self._lay_out_pins()
         titles = " | ".join(scene.title for scene, _ in wanted)
         self.canvas.setAccessibleDescription(titles)
         self._write()
+
+    def _renew_extras(self) -> None:
+        self._extras = (*self._motion_items, *self._robot_items)
+        self._lay_out()
 
     def _lay_out_pins(self) -> None:
         for pane in self.canvas.panes:
@@ -203,11 +207,6 @@ class SceneView(QWidget):
                 pane.pins = self._pins[1]
         self.canvas.update()
         self.laid_out.emit()
-
-    def _renew_extras(self) -> None:
-        robot = () if self._robot is None else robot_items(self._robot)
-        self._extras = (*self._motion_items, *robot)
-        self._lay_out()
 
     def _clicked(self, hit: Hit, number: int) -> None:
         shown = self.canvas.panes[number].scene

@@ -41,14 +41,16 @@ class ViewButtons(QWidget):
         return button
 
     def _write(self) -> None:
-        tr = QCoreApplication.translate
+        translate = QCoreApplication.translate  # by this name lupdate finds the texts
         texts = {
-            "fit": (tr("SceneView", "Fit"), tr("SceneView", "Everything into the picture (F, or a double click)")),
-            "front": (tr("SceneView", "Front"), tr("SceneView", "Along +y: x to the right, z up (1)")),
-            "side": (tr("SceneView", "Side"), tr("SceneView", "Along −x: y to the right, z up (2)")),
-            "top": (tr("SceneView", "Top"), tr("SceneView", "Along −z: x to the right, y up (3)")),
-            "oblique": (tr("SceneView", "Oblique"), tr("SceneView", "From the front, right and above (4)")),
-        }
+            "fit": (translate("SceneView", "Fit"),
+                    translate("SceneView", "Everything into the picture (F, or a double click)")),
+            "front": (translate("SceneView", "Front"), translate("SceneView", "Along +y: x to the right, z up (1)")),
+            "side": (translate("SceneView", "Side"), translate("SceneView", "Along −x: y to the right, z up (2)")),
+            "top": (translate("SceneView", "Top"), translate("SceneView", "Along −z: x to the right, y up (3)")),
+            "oblique": (translate("SceneView", "Oblique"),
+                        translate("SceneView", "From the front, right and above (4)")),
+        }  # fmt: skip
         for name, (text, tip) in texts.items():
             self._looks[name].setText(text)
             self._looks[name].setToolTip(tip)

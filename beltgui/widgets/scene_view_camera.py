@@ -26,6 +26,25 @@ def _rows(right: tuple[float, float, float], up: tuple[float, float, float]) -> 
     return np.stack([x, y, np.cross(x, y)])
 
 
+def rotation_from(look_from: tuple[float, float, float], up: tuple[float, float, float]) -> Array:
+    """(3, 3) rows to the right, up, and towards the person, who stands in the direction `look_from` (3,).
+
+    Where `up` (3,) points along the view, another direction is taken for it.
+
+    Raises:
+        ValueError: `look_from` has no length.
+    """
+    toward = np.asarray(look_from, dtype=float)
+    if not np.linalg.norm(toward) > 0.0:
+        raise ValueError("A direction to look from has no length.")
+    toward = toward / np.linalg.norm(toward)
+    right = np.cross(np.asarray(up, dtype=float), toward)
+    if np.linalg.norm(right) < 1e-6 * max(float(np.linalg.norm(up)), 1.0):
+        right = np.cross(np.eye(3)[int(np.argmin(np.abs(toward)))], toward)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(toward, right), toward])
+
+
 # Rows: to the right, up, and towards the person, in the scene's frame.
 DIRECTIONS = {
     "front": _rows((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,8 +28,8 @@ from beltgui.viewmodel.scene import Item, Role, Scene
 from beltgui.widgets.scene_draw import BACKGROUND, Request, ViewRequest, split
 from beltgui.widgets.scene_view_camera import ANGLE_RAD, DIRECTIONS, Camera
 from beltgui.widgets.scene_view_link import LocalDrawer, Picture, ProcessDrawer
-from beltgui.widgets.scene_view_outline import first_camera, outline_of
-from beltgui.widgets.scene_view_overlay import Overlay, Pin, bar_share, paint
+from beltgui.widgets.scene_view_outline import first_camera, outline_of, wanted_items
+from beltgui.widgets.scene_view_overlay import Overlay, Pin, bar_share, paint, top_share
 from beltgui.widgets.scene_view_pick import Hit, pick
 
 # Requests are held together for so long, so that several changes at once make one picture.
@@ -60,12 +60,24 @@ class Pane:
     camera: Camera = field(default_factory=Camera.looking)
     drawn_with: Camera | None = None
     untouched: bool = True
+    whole: bool = False
+    margins: tuple[float, float, float] = (0.0, 0.0, 0.0)
     box: NDArray[np.float64] | None = None
     items_sent: bool = False
     extras_sent: bool = False
     hover_face: int | None = None
     hover_at: QPointF | None = None
     pins: tuple[Pin, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What a viewport of a picture was drawn from; the pane may be ahead of it."""
+
+    pane: Pane
+    scene: Scene
+    extras: tuple[Item, ...]
+    camera: Camera
 
 
 class Canvas(QWidget):
@@ -90,7 +102,8 @@ class Canvas(QWidget):
         self._drawer: ProcessDrawer | LocalDrawer | None = None
         self._picture = QImage()
         self._pixels: NDArray[np.uint8] | None = None
-        self._asked: list[tuple[Pane, Camera]] = []
+        self._asked: list[Seen] = []
+        self._seen: list[Seen] = []
         self._in_flight = False
         self._dirty = False
         self._interacting = False
@@ -118,6 +131,7 @@ class Canvas(QWidget):
         self._drawer = drawer
         self._in_flight = False
         self._picture = QImage()
+        self._seen = []
         for pane in self.panes:
             pane.items_sent = pane.extras_sent = False
         if drawer is not None:
@@ -137,7 +151,7 @@ class Canvas(QWidget):
                 anew = pane.scene.view != scene.view or pane.scene.frame != scene.frame
                 pane.scene, pane.items_sent, pane.hover_face, pane.hover_at = scene, False, None, None
                 if anew:
-                    pane.untouched, pane.box, pane.camera = True, None, first_camera(scene)
+                    pane.untouched, pane.whole, pane.box, pane.camera = True, False, None, first_camera(scene)
             if pane.extras is not extras:
                 pane.extras, pane.extras_sent = extras, False
             panes.append(pane)
@@ -153,7 +167,7 @@ class Canvas(QWidget):
         for pane in self.panes:
             if direction != "fit":
                 pane.camera = Camera(pane.camera.target, pane.camera.distance, DIRECTIONS[direction])
-            pane.untouched, pane.box = True, None
+            pane.untouched, pane.whole, pane.box = True, True, None
             self._fit_if_untouched(pane)
         self.redraw()
 
@@ -178,28 +192,39 @@ class Canvas(QWidget):
 
     def rects(self) -> list[QRectF]:
         """Of the viewports, logical pixels."""
-        edges = split(self.width(), max(len(self.panes), 1))
+        return self._rects(len(self.panes))
+
+    def _rects(self, count: int) -> list[QRectF]:
+        edges = split(self.width(), max(count, 1))
         return [QRectF(begin, 0.0, end - begin, self.height()) for begin, end in edges]
 
     def _fit_if_untouched(self, pane: Pane) -> None:
         """Fit at the first sight, and when the scene has outgrown the picture that the person has not changed."""
         if not pane.untouched:
             return
-        outline = outline_of((*pane.scene.items, *pane.extras))
+        every = (*pane.scene.items, *pane.extras)
+        outline = outline_of(every if pane.whole else wanted_items(pane.scene, pane.extras))
         if not len(outline):
             return
         rect = self.rects()[self.panes.index(pane)]
         box = np.stack([outline.min(axis=0), outline.max(axis=0)])
-        if pane.box is not None:
+        right = bar_share(pane.scene, QFontMetricsF(self.font()), rect.width())
+        top = top_share(pane.scene, self._word, self.font(), rect)
+        bottom = min(self.keep_free.height() / max(rect.height(), 1.0), 0.2)
+        same = pane.margins == (right, top, bottom)
+        if pane.box is not None and same:
             size = float(np.linalg.norm(pane.box[1] - pane.box[0])) or 1.0
             pixels, depth = pane.camera.project(outline, rect.width(), rect.height())
             inside = (pixels >= 0.0).all() and (pixels <= (rect.width(), rect.height())).all() and (depth > 0.0).all()
             if inside and float(np.linalg.norm(box[1] - box[0])) > 0.5 * size:
                 return
         pane.box = box
-        share = bar_share(pane.scene, QFontMetricsF(self.font()), rect.width())
-        fitted = pane.camera.fitted(outline, rect.width() * (1.0 - share) / max(rect.height(), 1.0))
-        pane.camera = fitted.moved(-0.5 * share * rect.width(), 0.0, rect.height())
+        pane.margins = (right, top, bottom)
+        # The camera's picture fills the viewport; what is left of it for the scene is narrower and lower.
+        free = 1.0 - top - bottom
+        fitted = pane.camera.fitted(outline, rect.width() * (1.0 - right) / max(rect.height() * free, 1.0))
+        fitted = replace(fitted, distance=fitted.distance / free)
+        pane.camera = fitted.moved(-0.5 * right * rect.width(), 0.5 * (top - bottom) * rect.height(), rect.height())
 
     # --- pictures
 
@@ -225,7 +250,7 @@ class Canvas(QWidget):
                 )
             )
             pane.items_sent = pane.extras_sent = True
-        self._asked = [(pane, pane.camera) for pane in self.panes]
+        self._asked = [Seen(pane, pane.scene, pane.extras, pane.camera) for pane in self.panes]
         self._dirty, self._in_flight = False, True
         palette = {str(role): colour(role) for role in Role} | {BACKGROUND: colour(BACKGROUND)}
         self._drawer.submit(Request(width, height, ratio, tuple(views), palette))
@@ -236,8 +261,9 @@ class Canvas(QWidget):
         self.seconds = picture.seconds
         if self._sharp:
             self._sharp_seconds = picture.seconds
-        for pane, camera in self._asked:
-            pane.drawn_with = camera
+        self._seen = self._asked
+        for seen in self._seen:
+            seen.pane.drawn_with = seen.camera
         self.update()
         if self._dirty:
             self._gather.start()
@@ -262,11 +288,13 @@ class Canvas(QWidget):
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.notice)
             return
         self._paint_picture(painter)
-        rects = self.rects()
-        for number, (pane, rect) in enumerate(zip(self.panes, rects, strict=True)):
-            free = self.keep_free if number == len(rects) - 1 else QSizeF(0.0, 0.0)
-            camera = pane.drawn_with or pane.camera
-            paint(painter, Overlay(pane.scene, pane.extras, camera, rect, self._word, pane.pins, pane.hover_at, free))
+        rects = self._rects(len(self._seen))
+        for seen, rect in zip(self._seen, rects, strict=True):
+            taken = rect.right() - (self.width() - self.keep_free.width())
+            free = QSizeF(taken, self.keep_free.height()) if taken > 0.0 else QSizeF(0.0, 0.0)
+            now = seen.pane.scene is seen.scene
+            pins, hover = (seen.pane.pins, seen.pane.hover_at) if now else ((), None)
+            paint(painter, Overlay(seen.scene, seen.extras, seen.camera, rect, self._word, pins, hover, free))
         painter.setPen(QColor(colour("line")))
         for rect in rects[1:]:
             painter.drawLine(rect.topLeft(), rect.bottomLeft())

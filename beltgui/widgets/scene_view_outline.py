@@ -6,15 +6,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from beltgui.viewmodel.scene import Arrow, Frame, Item, Label, Lines, Mesh, Points, Scene
-from beltgui.widgets.scene_view_camera import DIRECTIONS, Camera
+from beltgui.widgets.scene_view_camera import DIRECTIONS, Camera, rotation_from
 
 OUTLINE_POINTS = 3000
 
 
 def first_camera(scene: Scene) -> Camera:
-    """Obliquely, unless the last word of the scene's view is a direction, e.g. `base top`."""
+    """From where the scene says; else obliquely, unless the last word of its view is a direction, e.g. `base top`."""
+    if scene.look_from is not None:
+        return Camera(np.zeros(3), 300.0, rotation_from(scene.look_from, scene.up))
     last = scene.view.split()[-1:] or [""]
     return Camera.looking(last[0] if last[0] in DIRECTIONS else "oblique")
+
+
+def wanted_items(scene: Scene, extras: tuple[Item, ...]) -> tuple[Item, ...]:
+    """What the first picture takes in: what the scene says, else all of its own items."""
+    every = (*scene.items, *extras)
+    if scene.fit_to:
+        return tuple(item for item in every if item.name.startswith(scene.fit_to)) or every
+    return scene.items or extras
 
 
 def outline_of(items: tuple[Item, ...]) -> NDArray[np.float64]:

@@ -5,6 +5,7 @@ Painted by Qt, so that every language and every screen density comes out crisp.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -21,7 +22,12 @@ from beltgui.widgets.scene_view_camera import Camera
 # An item whose name begins so is drawn but its name is not written.
 UNWRITTEN = "~"
 MOST_LABELS = 80
-BAR_TICKS = 5
+MOST_TICKS = 5
+MOST_LINES = 3
+LEADING = 1.25
+# A heading narrower than this share of its viewport leaves room for the scene beside it.
+BESIDE = 0.6
+WORDS = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]|[^\s\u2e80-\u9fff\uff00-\uffef]+\s*|\s+")
 RIM = 3.5
 AXES = ((Role.X, "x"), (Role.Y, "y"), (Role.Z, "z"))
 
@@ -110,28 +116,72 @@ def _lettering(text: str, shade: str, rim: str, font_key: str, ratio: float) -> 
     return image, ascent
 
 
-def _title_and_legend(painter: QPainter, overlay: Overlay) -> None:
-    font = QFont(painter.font())
+def wrapped(text: str, metrics: QFontMetricsF, room: float) -> list[str]:
+    """A text in lines no wider than `room` pixels, broken at spaces, and anywhere in Chinese; at most `MOST_LINES`."""
+    lines = [""]
+    for word in WORDS.findall(text):
+        if lines[-1] and metrics.horizontalAdvance((lines[-1] + word).rstrip()) > room and len(lines) < MOST_LINES:
+            lines.append("")
+        lines[-1] += word
+    return [metrics.elidedText(line.strip(), Qt.TextElideMode.ElideRight, room) for line in lines]
+
+
+@dataclass(frozen=True, eq=False)
+class _Heading:
+    """Title and legend, broken into lines for a viewport; `high` and `wide` with the pad around them, pixels."""
+
+    title: list[str]
+    legend: list[tuple[Role, list[str]]]
+    pad: float
+    side: float
+    high: float
+    wide: float
+
+
+def _heading(scene: Scene, words: Callable[[str], str], font: QFont, width: float) -> _Heading:
+    bold, small = QFontMetricsF(_bold(font)), QFontMetricsF(font)
+    pad, side = 0.6 * bold.height(), 0.7 * small.ascent()
+    room = width - 2.0 * pad
+    frame = small.horizontalAdvance(_frame_text(scene))
+    title = wrapped(words(scene.title), bold, room - frame)
+    legend = [(role, wrapped(words(text), small, room - 1.7 * side)) for role, text in scene.legend]
+    lines = [line for _, texts in legend for line in texts]
+    widest = max([bold.horizontalAdvance(title[-1]) + frame, *(bold.horizontalAdvance(line) for line in title),
+                  *(1.7 * side + small.horizontalAdvance(line) for line in lines)])  # fmt: skip
+    high = pad + len(title) * bold.height() + LEADING * len(lines) * small.height() + 0.4 * small.height()
+    return _Heading(title, legend, pad, side, high, pad + widest)
+
+
+def _bold(font: QFont) -> QFont:
+    font = QFont(font)
     font.setBold(True)
-    metrics, small = QFontMetricsF(font), QFontMetricsF(painter.font())
-    pad = 0.6 * metrics.height()
-    room = overlay.rect.width() - 2.0 * pad
-    frame = f"  {{{overlay.scene.frame}}}, mm"
-    title = metrics.elidedText(
-        overlay.words(overlay.scene.title), Qt.TextElideMode.ElideRight, room - small.horizontalAdvance(frame)
-    )
-    y = pad + metrics.ascent()
-    written(painter, QPointF(pad, y), title, colour("text"), font)
-    written(painter, QPointF(pad + metrics.horizontalAdvance(title), y), frame, colour("muted"))
-    side = 0.7 * small.ascent()
-    for role, words in overlay.scene.legend:
-        y += 1.25 * small.height()
+    return font
+
+
+def _frame_text(scene: Scene) -> str:
+    return f"  {{{scene.frame}}}, mm"
+
+
+def _title_and_legend(painter: QPainter, overlay: Overlay) -> None:
+    font = _bold(painter.font())
+    bold, small = QFontMetricsF(font), QFontMetricsF(painter.font())
+    heading = _heading(overlay.scene, overlay.words, painter.font(), overlay.rect.width())
+    pad, side = heading.pad, heading.side
+    y = pad + bold.ascent() - bold.height()
+    for line in heading.title:
+        y += bold.height()
+        written(painter, QPointF(pad, y), line, colour("text"), font)
+    end = pad + bold.horizontalAdvance(heading.title[-1])
+    written(painter, QPointF(end, y), _frame_text(overlay.scene), colour("muted"))
+    for role, lines in heading.legend:
         painter.setPen(QPen(QColor(colour("scene")), 1.0))
         painter.setBrush(QColor(colour(role)))
-        painter.drawRoundedRect(QRectF(pad, y - side, side, side), 2.0, 2.0)
-        text = small.elidedText(overlay.words(words), Qt.TextElideMode.ElideRight, 0.6 * room)
-        written(painter, QPointF(pad + 1.7 * side, y), text, colour("text"))
-    overlay.placed.append(QRectF(0.0, 0.0, room, pad + 1.3 * metrics.height()))
+        top = y + LEADING * small.height() - side
+        painter.drawRoundedRect(QRectF(pad, top, side, side), 2.0, 2.0)
+        for line in lines:
+            y += LEADING * small.height()
+            written(painter, QPointF(pad + 1.7 * side, y), line, colour("text"))
+    overlay.placed.append(QRectF(0.0, 0.0, heading.wide, heading.high))
 
 
 def scales_of(scene: Scene) -> list[Scale]:
@@ -143,6 +193,40 @@ def scales_of(scene: Scene) -> list[Scale]:
     return found
 
 
+def round_ticks(low: float, high: float) -> list[float]:
+    """Round numbers within a range, at most `MOST_TICKS`, rising: steps of 1, 2 or 5 times a power of ten."""
+    span = high - low
+    if not (np.isfinite(span) and span > 0.0):
+        return [low]
+    decade = 10.0 ** np.floor(np.log10(span / MOST_TICKS))
+    for factor in (1.0, 2.0, 2.5, 5.0, 10.0, 20.0):
+        step = factor * decade
+        first, last = np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9)
+        if last - first < MOST_TICKS:
+            break
+    return [float(step * place) for place in np.arange(first, last + 1.0)]
+
+
+def tick_text(value: float, unit: str, *, signed: bool) -> str:
+    """A number as a person writes it, `+1000 µm`: no exponent from 0.001 to 99999; `signed` writes the plus."""
+    size = abs(value)
+    if size < 1e-12:
+        text = "0"
+    elif 0.001 <= size < 99999.5:
+        decimals = min(max(2 - int(np.floor(np.log10(size))), 0), 6)
+        text = f"{size:.{decimals}f}"
+        text = text.rstrip("0").rstrip(".") if "." in text else text
+    else:
+        text = f"{size:.3g}"
+    sign = "" if text == "0" else "\u2212" if value < 0.0 else "+" if signed else ""
+    return f"{sign}{text} {unit}".rstrip()
+
+
+def _quantity(title: str) -> str:
+    """`signed distance, µm` without its unit, in any language: the ticks have it."""
+    return re.sub(r"\s*[,，、]\s*[^\s,，、]*$", "", title)
+
+
 def _bars(painter: QPainter, overlay: Overlay) -> None:
     metrics = QFontMetricsF(painter.font())
     line = metrics.height()
@@ -151,10 +235,7 @@ def _bars(painter: QPainter, overlay: Overlay) -> None:
     lowest = overlay.rect.height() - overlay.keep_free.height() - 1.5 * line
     bottom = min(0.5 * (overlay.rect.height() + height) + line, lowest)
     for scale in scales_of(overlay.scene)[:2]:
-        sign = "+" if scale.kind == "diverging" else ""
-        values = np.linspace(scale.low, scale.high, BAR_TICKS)
-        ticks = [(f"{sign if value > 0.0 else ''}{value:.3g}").replace("-", "−") for value in values]
-        wide = max(metrics.horizontalAdvance(text) for text in ticks)
+        ticks, wide = _ticks_of(scale, metrics)
         bar = QRectF(right - wide - 1.4 * line, bottom - height, 0.9 * line, height)
         table = np.ascontiguousarray(TABLES[scale.kind][::-1])
         image = QImage(table.tobytes(), 1, len(table), 3, QImage.Format.Format_RGB888)
@@ -162,14 +243,16 @@ def _bars(painter: QPainter, overlay: Overlay) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(colour("line")), 1.0))
         painter.drawRect(bar)
-        for place, text in enumerate(ticks):
-            y = bar.bottom() - bar.height() * place / (BAR_TICKS - 1)
+        span = max(scale.high - scale.low, 1e-300)
+        for value, text in ticks:
+            y = bar.bottom() - bar.height() * (value - scale.low) / span
             painter.setPen(QPen(QColor(colour("muted")), 1.0))
             painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 0.25 * line, y))
             written(painter, QPointF(bar.right() + 0.4 * line, y + 0.35 * metrics.ascent()), text, colour("text"))
-        title = metrics.elidedText(overlay.words(scale.title), Qt.TextElideMode.ElideRight, 0.6 * overlay.rect.width())
-        across = metrics.horizontalAdvance(title)
-        written(painter, QPointF(right - across, bar.top() - 0.7 * line), title, colour("text"))
+        words = _quantity(overlay.words(scale.title))
+        words = metrics.elidedText(words, Qt.TextElideMode.ElideRight, 0.6 * overlay.rect.width())
+        across = metrics.horizontalAdvance(words)
+        written(painter, QPointF(right - across, bar.top() - 0.7 * line), words, colour("text"))
         overlay.placed.append(QRectF(bar.left(), bar.top() - 2.0 * line, right - bar.left(), height + 3.0 * line))
         right = min(bar.left(), right - across) - line
 
@@ -250,7 +333,23 @@ def _free_place(overlay: Overlay, x: float, y: float, wide: float, high: float) 
 
 def bar_share(scene: Scene, metrics: QFontMetricsF, width: float) -> float:
     """Which part of a viewport's width the colour bars need."""
-    return min(len(scales_of(scene)[:2]) * 5.5 * metrics.height() / max(width, 1.0), 0.4)
+    needed = sum(_ticks_of(scale, metrics)[1] + 3.6 * metrics.height() for scale in scales_of(scene)[:2])
+    return min(needed / max(width, 1.0), 0.4)
+
+
+def top_share(scene: Scene, words: Callable[[str], str], font: QFont, rect: QRectF) -> float:
+    """Which part of a viewport's height title and legend need; where it is wide, the scene has room beside them."""
+    heading = _heading(scene, words, font, rect.width())
+    high = 1.8 * QFontMetricsF(font).height() if heading.wide < BESIDE * rect.width() else heading.high
+    return min(high / max(rect.height(), 1.0), 0.4)
+
+
+def _ticks_of(scale: Scale, metrics: QFontMetricsF) -> tuple[list[tuple[float, str]], float]:
+    """Values and texts of a bar, and the width of the widest text."""
+    unit = scale.title.rpartition(", ")[2]
+    values = round_ticks(scale.low, scale.high)
+    ticks = [(value, tick_text(value, unit, signed=scale.kind == "diverging")) for value in values]
+    return ticks, max(metrics.horizontalAdvance(text) for _, text in ticks)
 
 
 def _pins(painter: QPainter, overlay: Overlay) -> None:

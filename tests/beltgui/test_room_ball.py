@@ -73,6 +73,8 @@ def test_the_whole_step_is_accepted_and_shown(whole: Bench, live: Live) -> None:
     assert content.rows[-1].use is Use.CHECK and content.rows[-1].name == "stage 1 again"
     assert all(check.ok and check.unit == "µm" for check in content.checks)
     assert content.scene is not None and content.scene.frame == "M"
+    assert content.second_scene is not None and content.second_scene.frame == "S"
+    assert {words for _, words in content.second_scene.legend} == {"points on the ball", "other points of the scan"}
     assert {plot.key for plot in content.plots} == {"residuals", "components", "predicted"}
     truth = live.sim.truth.stage_axes
     cosine = truth[:, 0] @ truth[:, 1] / np.linalg.norm(truth[:, 0]) / np.linalg.norm(truth[:, 1])

@@ -70,8 +70,9 @@ def test_the_whole_step_is_accepted_and_shown(whole: Bench, live: Live) -> None:
     assert content.scene is not None and content.scene.frame == "B"
     names = [item.name for item in content.scene.items]
     assert {"{B}", "{M}", "balls by the scanner", "residuals, fit", "suggested flange"} <= set(names)
-    labels = [item.text for item in content.scene.items if item.name == "residuals label"]
-    assert len(labels) == 1 and labels[0].endswith(" times as long")
+    assert sum(words.endswith(" times as long") for _, words in content.scene.legend) == 1
+    assert content.scene.look_from is not None
+    assert all(any(name.startswith(begin) for name in names) for begin in content.scene.fit_to)
     assert acquire(ROOM, live, whole) == []
 
 

@@ -19,7 +19,7 @@ from beltgui.steps.error_surface.step import ErrorSurfaceOutcome
 from beltgui.steps.room import Bench
 from beltgui.steps.views.drawing import count_points
 from beltgui.viewmodel.plot import Band, Curve, Map, Marks
-from beltgui.viewmodel.scene import Label, Lines, Mesh, Points, Role
+from beltgui.viewmodel.scene import Lines, Mesh, Points, Role
 from beltgui.viewmodel.step import StepContent, Use
 from core.errors import InputError
 from core.frames import inverse
@@ -252,8 +252,8 @@ def test_settings_of_the_picture_change_nothing_but_the_picture(done: Done) -> N
         session.undo(STEP, PERSON)
     assert plain(ROOM.record(outcome)) == plain(ROOM.record(done.outcome))
     found = items(shown)
-    label, nominal, drawn = found["exaggeration"], found["nominal path"], found["compensated path"]
-    assert isinstance(label, Label) and label.text.endswith("x200")
+    nominal, drawn = found["nominal path"], found["compensated path"]
+    assert shown.scene is not None and [words for _, words in shown.scene.legend][-1].endswith("x200")
     assert isinstance(drawn, Lines) and len(drawn.polylines) == 9
     stroke = outcome.programs["longitudinal"].plan.strokes[0]
     away = np.linalg.norm(drawn.polylines[0] - nominal.polylines[0], axis=1)

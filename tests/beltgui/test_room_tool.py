@@ -70,8 +70,13 @@ def test_the_whole_step_is_accepted_and_shown(whole: Bench, live: Live) -> None:
     assert [entry.use for entry in content.rows].count(Use.HELD_OUT) == 5
     assert [entry.name for entry in content.rows if entry.use is Use.CHECK] == ["stop rough", "stop fine"]
     assert content.scene is not None
-    names = {item.name for item in content.scene.items}
-    assert {"stylus, fit", "directions", "wheel rough", "wheel circle fine", "head axis fine", "{H rough}"} <= names
+    cone, rough, fine = (content.scene, *content.scene.beside)
+    names = [{item.name for item in scene.items} for scene in (cone, rough, fine)]
+    assert {"cone", "stylus, fit", "directions"} <= names[0]
+    for grinder, found in (("rough", names[1]), ("fine", names[2])):
+        shown = {f"wheel {grinder}", f"wheel circle {grinder}", f"head axis {grinder}", f"{{H {grinder}}}"}
+        assert shown <= found and not any(name.startswith("planned") for name in found)
+    assert all(scene.look_from is not None for scene in (cone, rough, fine))
     assert {plot.key for plot in content.plots} == {"cone", "shaft rough", "shaft fine", "orientations"}
     assert acquire(ROOM, live, whole) == []
 

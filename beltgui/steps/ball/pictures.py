@@ -23,7 +23,9 @@ from devices.cell_plan import CellPlan
 Array = NDArray[np.float64]
 AXIS_LENGTH_MM = 70.0
 # The largest residual is drawn about this long.
-RESIDUAL_LENGTH_MM = 20.0
+RESIDUAL_LENGTH_MM = 50.0
+# From the scanner, a little from its right and from above: {S} has z away from the scanner and y down.
+SCANNER_SIDE = (0.35, -0.35, -1.0)
 LEGEND = (
     (Role.INLIER, "points on the ball"),
     (Role.OUTLIER, "other points of the scan"),
@@ -57,50 +59,51 @@ def scene_of_scan(plan: CellPlan, scans: Sequence[BallScan]) -> Scene | None:
     return drawing.scene(f"Scan '{newest.name}' as the scanner sees it", "S", items, view="scanner", legend=LEGEND)
 
 
+def scene_of_ball(plan: CellPlan, scans: Sequence[BallScan]) -> Scene | None:
+    """What the newest scan shows of the ball, large, in {S}; None before there is one."""
+    if not scans:
+        return None
+    items = [drawing.scanner_volume("scanner's volume", np.eye(4), plan.scanner), *scan_items(scans[-1], np.eye(4))]
+    return drawing.scene("Ball in the newest scan", "S", items, view="ball scan", legend=LEGEND,
+                         look_from=SCANNER_SIDE, up=(0.0, -1.0, 0.0),
+                         fit_to=("ball", "scan on the ball"))  # fmt: skip
+
+
 def scene(plan: CellPlan, outcome: BallOutcome, advice: StageAdvice | None) -> Scene:
     """Scanner, stage axes and the ball in {M}."""
     fit = outcome.stage
     at_zero = fit.measure_from_scanner
+    residuals, times = _residuals(outcome, len(plan.stage_step))
     items: list[Item | None] = [
-        drawing.frame("M", np.eye(4)),
-        drawing.frame("S", at_zero, 30.0),
+        drawing.label("{M}", np.zeros(3), "{M}"),
+        *drawing.triads("scanner", [at_zero], 25.0),
         drawing.scanner_volume("scanner's volume", at_zero, plan.scanner),
         *_axes(fit),
-        *_last_scan(outcome),
+        drawing.sphere("ball", fit.ball_in_measure_mm, 0.5 * plan.ball.diameter_mm, opacity=0.35),
         *_positions(outcome, len(plan.stage_step)),
-        *_residuals(outcome, len(plan.stage_step)),
+        *residuals,
         *_suggested(fit, advice),
     ]
     legend = (
-        *LEGEND,
-        (Role.FIT, "the ball, and where the scanner stood for the scans in the fit"),
+        (Role.FIT, "in the fit"),
         (Role.HELD_OUT, "kept out of the fit"),
         (Role.SUGGESTION, "where one more scan would add most"),
+        (Role.FIT, f"residuals drawn {times:.0f} times as long"),
     )
-    return drawing.scene("Scanner on its stage, ball standing still", "M", items, view="ball", legend=legend)
+    return drawing.scene("Scanner on its stage", "M", items, view="ball", legend=legend)
 
 
 def _axes(fit: StageFit) -> list[Item]:
     labels = [f"stage {name}{' (assumed)' if name in fit.assumed else ''}" for name in "xyz"]
     items: list[Item] = list(drawing.arrows("stage axis", np.zeros(3), fit.axes, AXIS_LENGTH_MM, labels))
-    for (i, j), pair, angle in zip(((0, 1), (1, 2), (2, 0)), ("xy", "yz", "zx"), fit.squareness_rad, strict=True):
-        at = 0.8 * AXIS_LENGTH_MM * (fit.axes[:, i] + fit.axes[:, j])
+    for (i, j), pair in zip(((0, 1), (1, 2), (2, 0)), ("xy", "yz", "zx"), strict=True):
         corner = 0.3 * AXIS_LENGTH_MM * np.array([fit.axes[:, i], fit.axes[:, i] + fit.axes[:, j], fit.axes[:, j]])
         items.append(Lines(f"square {pair}", (drawing.display(corner),), Role.MUTED, 1.0))
-        items.append(drawing.label(f"squareness {pair}", at, f"{pair}: 90 deg {np.degrees(angle):+.4f} deg"))
     if fit.rotary_axis is not None:
         low, high = (fit.rotary_axis.point_mm + way * fit.rotary_axis.direction for way in (-120.0, 120.0))
         items.append(drawing.segments("rotary axis", [low], [high], Role.MUTED))
         items.append(drawing.label("rotary axis label", high, "rotary axis"))
     return items
-
-
-def _last_scan(outcome: BallOutcome) -> list[Item]:
-    known = [scan for scan in outcome.scans if scan.id in outcome.misses_mm]
-    if not known:
-        return []
-    newest = known[-1]
-    return scan_items(newest, outcome.stage.measure_from_scanner_at(newest.stage_mm, newest.stage.theta_rad))
 
 
 def _positions(outcome: BallOutcome, planned: int) -> list[Item]:
@@ -115,10 +118,11 @@ def _positions(outcome: BallOutcome, planned: int) -> list[Item]:
     ]
 
 
-def _residuals(outcome: BallOutcome, planned: int) -> list[Item]:
+def _residuals(outcome: BallOutcome, planned: int) -> tuple[list[Item], float]:
+    """Lines at the ball, and how many times as long they are."""
     shown = [scan for scan in outcome.scans if scan.id in outcome.misses_mm]
     if not shown:
-        return []
+        return [], 1.0
     away = np.array([outcome.misses_mm[scan.id] for scan in shown])
     ball = outcome.stage.ball_in_measure_mm
     used = np.array([scan.usable for scan in shown])
@@ -131,9 +135,7 @@ def _residuals(outcome: BallOutcome, planned: int) -> list[Item]:
             items.append(
                 drawing.exaggerated(f"residuals, {use.value}", start, away[chosen], times, ROLE_OF_USE[use])
             )
-    at = ball + np.array([0.0, 0.0, 1.5 * RESIDUAL_LENGTH_MM])
-    items.append(drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"))
-    return items
+    return items, times
 
 
 def _suggested(fit: StageFit, advice: StageAdvice | None) -> list[Item]:

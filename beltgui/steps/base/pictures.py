@@ -12,7 +12,7 @@ from beltgui.steps.base.step import BaseOutcome, by_robot, by_scanner
 from beltgui.steps.views import drawing
 from beltgui.steps.views.common import ROLE_OF_USE, marks_by_use
 from beltgui.viewmodel.plot import LimitLine, Marks, Plot
-from beltgui.viewmodel.scene import Item, Points, Role, Scene
+from beltgui.viewmodel.scene import Arrow, Item, Points, Role, Scene
 from beltgui.viewmodel.step import Use
 from core.base import BaseLimits
 
@@ -21,12 +21,15 @@ TRIAD_MM = 25.0
 # The largest residual is drawn about this long.
 RESIDUAL_LENGTH_MM = 60.0
 LEGEND = (
-    (Role.FIT, "ball by the robot, and its distance to the ball by the scanner"),
+    (Role.FIT, "ball by the robot"),
     (Role.SCAN, "ball by the scanner"),
     (Role.HELD_OUT, "pose kept out of the fit"),
     (Role.EXCLUDED, "pose left out"),
     (Role.SUGGESTION, "pose that would add most"),
+    (Role.ROBOT, "robot"),
 )
+# From behind the robot and above: poses, balls and {M} lie side by side.
+LOOK_FROM = (-0.5, -0.7, 0.5)
 
 
 def scene(outcome: BaseOutcome, advice: PoseAdvice | None, planned: int, ball_radius_mm: float) -> Scene:
@@ -44,15 +47,28 @@ def scene(outcome: BaseOutcome, advice: PoseAdvice | None, planned: int, ball_ra
         items.append(drawing.spheres("balls by the scanner", seen, ball_radius_mm, Role.SCAN, 0.35))
     for use in Use:
         items += _of_use(outcome, [scan for scan in shown if use_of(scan, planned) is use], use, shown, ball_radius_mm)
+    legend = list(LEGEND)
     if shown:
         away = np.array([outcome.misses_mm[scan.id] for scan in shown])
-        middle = np.mean([by_robot(fit, scan) for scan in shown], axis=0)
-        at = middle + np.array([0.0, 0.0, 200.0])
         times = drawing.exaggeration(away, RESIDUAL_LENGTH_MM)
-        items.append(drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"))
+        legend.insert(1, (Role.FIT, f"residuals drawn {times:.0f} times as long"))
+        items += _towards_base(np.array([scan.base_from_flange[:3, 3] for scan in shown]))
     items += _suggested(advice)
     title = "The ball on the flange, seen in many robot poses"
-    return drawing.scene(title, "B", items, view="base", legend=LEGEND)
+    return drawing.scene(title, "B", items, view="base", legend=legend, look_from=LOOK_FROM,
+                         fit_to=("{M}", "flange", "balls", "residuals", "suggested", "towards"))  # fmt: skip
+
+
+def _towards_base(flanges: Array) -> list[Item]:
+    """An arrow from the poses towards the robot's base, with its distance: the base itself stands far off."""
+    middle = flanges.mean(axis=0)
+    distance = float(np.linalg.norm(middle))
+    reach = float(np.linalg.norm(flanges - middle, axis=1).max()) + 60.0
+    if distance < 2.0 * reach:
+        return []
+    way = -middle / distance
+    text = f"{{B}} {distance:.0f} mm"
+    return [Arrow("towards the base", middle + 0.45 * reach * way, 0.35 * reach * way, Role.ROBOT, text)]
 
 
 def _of_use(

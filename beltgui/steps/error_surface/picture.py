@@ -10,9 +10,9 @@ from beltgui.steps.error_surface.probing import CLEAR_MM
 from beltgui.steps.error_surface.series import STEP
 from beltgui.steps.error_surface.shown import Shown, airfoil_of, maps_of, net_of
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome
-from beltgui.steps.views import drawing
+from beltgui.steps.views import blade, drawing
 from beltgui.steps.views.common import UM_PER_MM
-from beltgui.viewmodel.scene import Frame, Item, Label, Lines, Mesh, Points, Role, Scale, Scene
+from beltgui.viewmodel.scene import Frame, Item, Lines, Mesh, Points, Role, Scale, Scene
 from beltgui.viewmodel.step import Use
 from core.frames import inverse
 from core.path import CellFrames
@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 DEFLECTION_MM, TURN_RAD = 0.2, 0.3
 # Drawn this far off the airfoil, so that points and lines do not flicker in it.
 LIFT_MM = 0.3
+# Onto the side of the airfoil that the wheel is drawn at, and past the wheel.
+LOOK_FROM = (0.35, -0.85, 0.4)
 SCALE_TITLE = "normal error, µm"
 LEAST_SCALE_UM = 10.0
 
@@ -41,8 +43,14 @@ def scene_of(shown: Shown) -> Scene:
         if shown.outcome.programs:
             items += _paths(shown, shown.outcome)
             legend += [(Role.PATH, "nominal path"), (Role.PATH_COMPENSATED, "compensated path")]
+            legend.append((Role.PATH_COMPENSATED, f"compensation drawn x{shown.settings.exaggeration:g}"))
     items += [*_wheel(shown), drawing.frame("W", np.eye(4))]
-    return drawing.scene(title, "W", items, view=f"error_surface {shown.settings.grinder}", legend=legend)
+    if shown.todo:
+        legend += [(Role.SUGGESTION, "line that is probed next"), (Role.MUTED, "lines to come")]
+    return drawing.scene(
+        title, "W", items, view=f"error_surface {shown.settings.grinder}", legend=legend, look_from=LOOK_FROM,
+        up=blade.lying(np.array(LOOK_FROM)), fit_to=("blade", "airfoil", "wheel", "compensated"),
+    )  # fmt: skip
 
 
 def scale_of_um(values_mm: Array) -> Scale:
@@ -77,9 +85,9 @@ def _blade(shown: Shown) -> Mesh:
 
 def _airfoil(shown: Shown, scale: Scale) -> Mesh:
     net = net_of(shown.bench)
-    values = np.full(len(net.points), np.nan)
-    if shown.outcome is not None:
-        values = UM_PER_MM * maps_of(shown.bench, shown.outcome.surface)[0].ravel()
+    if shown.outcome is None:
+        return Mesh("airfoil", drawing.display(net.points), net.triangles, Role.BLADE)
+    values = UM_PER_MM * maps_of(shown.bench, shown.outcome.surface)[0].ravel()
     return Mesh(
         "airfoil", drawing.display(net.points), net.triangles, Role.BLADE, values=values.astype(np.float32), scale=scale
     )
@@ -138,11 +146,9 @@ def _paths(shown: Shown, outcome: ErrorSurfaceOutcome) -> list[Item | None]:
         normals, at = contacts[:, :3, 2], contacts[:, :3, 3] + LIFT_MM * contacts[:, :3, 2]
         nominal.append(drawing.display(at))
         compensated.append(drawing.display(at + times * stroke.error_mm[:, None] * normals))
-    text = f"compensation drawn x{times:g}"
     return [
-        Lines("nominal path", tuple(nominal), Role.PATH, 2.0),
+        Lines("nominal path", tuple(nominal), Role.PATH, 1.0),
         Lines("compensated path", tuple(compensated), Role.PATH_COMPENSATED, 2.0),
-        Label("exaggeration", np.asarray(compensated[-1][-1], dtype=float), text, Role.PATH_COMPENSATED),
     ]
 
 

@@ -16,12 +16,15 @@ from beltgui.steps.error_surface.probing import Line, Probe
 from beltgui.steps.error_surface.series import CHECK, STEP, Series, current_clamping
 from beltgui.steps.error_surface.step import ErrorSurfaceOutcome, errors_of
 from beltgui.steps.room import Bench
+from beltgui.steps.views import drawing
 from beltgui.viewmodel.step import Use
 from core.error_surface import ErrorSurface
 from core.path import AirfoilSurface
 
 Array = NDArray[np.float64]
 EXAGGERATION, LARGEST_EXAGGERATION = 50.0, 1000.0
+# The largest compensation is drawn about so long.
+COMPENSATION_MM = 15.0
 # Net of the airfoil in the picture and of the map: fine enough to show what a grid of 129 x 40 points can say.
 ACROSS, ALONG = 141, 81
 
@@ -144,7 +147,7 @@ def shown_of(bench: Bench, outcome: ErrorSurfaceOutcome | None) -> Shown:
     Raises:
         InputError: the grinder that was chosen is not one of the cell's.
     """
-    settings = settings_of(bench)
+    settings = settings_of(bench, None if outcome is None else outcome.surface)
     grid = bench.blade.probing
     clamping = current_clamping(bench.session)
     series = None if clamping is None else clamping.series.get(settings.grinder)
@@ -158,10 +161,16 @@ def shown_of(bench: Bench, outcome: ErrorSurfaceOutcome | None) -> Shown:
     )  # fmt: skip
 
 
-def settings_of(bench: Bench) -> Settings:
-    """The settings, within what can be shown."""
+def settings_of(bench: Bench, surface: ErrorSurface | None = None) -> Settings:
+    """The settings, within what can be shown.
+
+    Unless the person has said so, a surface's compensation is drawn so large that it is seen and stays near the blade.
+    """
     grid, session = bench.blade.probing, bench.session
-    times = _number(session.setting(STEP, "show_exaggeration"), EXAGGERATION)
+    usual = EXAGGERATION
+    if surface is not None:
+        usual = drawing.exaggeration(np.outer(surface.sample_error_mm[surface.used], [1.0, 0.0, 0.0]), COMPENSATION_MM)
+    times = _number(session.setting(STEP, "show_exaggeration"), usual)
     section = _number(session.setting(STEP, "show_section"), 0.5 * (grid.v_min + grid.v_max))
     return Settings(
         chosen_grinder(bench),

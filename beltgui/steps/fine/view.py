@@ -42,6 +42,8 @@ FACE_COLUMNS = (
     Column("held_out", "By the other faces", "µm", 1),
     Column("coverage", "Covered", "%", 0),
 )
+# Points off the faces only say where the scan is; the ones on the faces are what counts.
+MOST_OTHER = 8000
 SIGNED_DISTANCE = "signed distance"
 _ARROW_MM = 70.0
 # The boxes take in this many sigmas at the end; before there is a result they are shown as they begin.
@@ -210,7 +212,16 @@ def _scenes(
     rough = bench.found.get("rough")
     if rough is not None:
         basis += blade.scan_items(scans, inverse(rough.measure_from_work))
-    return (drawing.scene("Faces to measure on", "W", basis, view="fine", legend=legend),)
+        legend.append((Role.SCAN, "scan"))
+    look_from = _look_from(bench)
+    return (drawing.scene("Faces to measure on", "W", basis, view="fine", legend=legend, look_from=look_from,
+                          up=blade.lying(look_from), fit_to=("blade",)),)  # fmt: skip
+
+
+def _look_from(bench: Bench) -> Array:
+    """From the scanner's side."""
+    rough = bench.found.get("rough")
+    return blade.seen_from(bench, blade.planned_pose(bench) if rough is None else rough.measure_from_work)
 
 
 def _result_scenes(
@@ -229,7 +240,8 @@ def _result_scenes(
         margin_mm=fit.settings.edge_margin_mm,
     )  # fmt: skip
     in_work = transform_points(inverse(fit.measure_from_work), points)
-    other = Points("other points", drawing.display(in_work[found.face_id == 0]), Role.MUTED, size_px=1.0)
+    other = Points("other points", drawing.thinned(in_work[found.face_id == 0], MOST_OTHER), Role.EXCLUDED, size_px=1.0)
+    legend = [*legend, (Role.EXCLUDED, "points off the chosen faces")]
     by_face: list[Item | None] = [*basis, other]
     named = list(legend)
     for face_id, role in blade.face_roles(outcome.face_ids).items():
@@ -237,16 +249,18 @@ def _result_scenes(
         label = blade.face_label(bench, face_id)
         by_face.append(Points(f"points of {label}", drawing.display(mine), role, size_px=3.0))
         named.append((role, label))
+    look_from = _look_from(bench)
     on = found.face_id > 0
     reach = _round_up(_SCALE_SIGMAS * common.UM_PER_MM * fit.sigma_mm)
     values = (common.UM_PER_MM * found.distance_mm[on]).astype(np.float32)
     coloured = Points("distances", drawing.display(in_work[on]), values=values, size_px=3.0,
                       scale=Scale("signed distance from the face, µm", -reach, reach))
     return (
-        drawing.scene("Scan on the CAD model, by face", "W", by_face, view="fine", legend=named),
+        drawing.scene("Scan on the CAD model, by face", "W", by_face, view="fine", legend=named, look_from=look_from,
+                      up=blade.lying(look_from), fit_to=("blade",)),
         drawing.scene("Scan on the CAD model, by signed distance", "W", [*basis, other, coloured], view="fine",
-                      legend=legend),
-    )
+                      legend=legend, look_from=look_from, up=blade.lying(look_from), fit_to=("blade",)),
+    )  # fmt: skip
 
 
 def _round_up(value: float) -> float:
@@ -260,7 +274,7 @@ def _boxes(bench: Bench, faces: Sequence[int], outcome: FineOutcome | None) -> L
     lines: list[Array] = []
     for face_id in faces:
         lines += box_outlines(bench.model.face(face_id), half_thickness_mm=half, margin_mm=FineSettings.edge_margin_mm)
-    return Lines("filter boxes", tuple(drawing.display(line) for line in lines), Role.BOX, 1.0)
+    return Lines("filter boxes", tuple(drawing.display(line) for line in lines), Role.BOX, 2.0)
 
 
 def _free_arrows(choice: _Choice, outcome: FineOutcome | None, limits: FineLimits) -> list[Item | None]:

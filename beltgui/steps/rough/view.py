@@ -94,7 +94,7 @@ def content(bench: Bench, outcome: RoughOutcome | None, error: str) -> StepConte
         complete=complete,
         headline=headline(found) if found else "",
         scene=_scene(bench, scans, pairs if by_pairs else (), found),
-        second_scene=_cad_scene(bench, pairs if by_pairs else ()),
+        second_scene=_cad_scene(bench, pairs if by_pairs else (), None if by_pairs else found),
         plots=_plots(pairs if by_pairs else (), found),
         extra=_extra(method, pairs, found),
     )
@@ -251,8 +251,8 @@ def _scene(
         items += blade.scan_items(scans, np.eye(4), pickable=True)
         legend.append((Role.SCAN, "scan"))
     if outcome is not None:
-        title = "CAD model where it was found in the scan"
-        items.append(blade.cad_mesh(bench, "blade", scene_from_work=outcome.measure_from_work, opacity=0.5))
+        title = "CAD model found in the scan"
+        items.append(blade.cad_mesh(bench, "blade", scene_from_work=outcome.measure_from_work, opacity=0.45))
         legend.append((Role.BLADE, "CAD model"))
     for item in pairs:
         if item.pair.scan_mm is not None:
@@ -263,16 +263,26 @@ def _scene(
                      for side in ("scan_mm", "cad_mm"))  # fmt: skip
         items.append(drawing.segments("distances of the pairs", transform_points(outcome.measure_from_work, cad), scan,
                                       Role.ATTENTION, 3.0))
-    return drawing.scene(title, "M", items, view="rough scan" if there else "rough plan", legend=legend)
+    planned = blade.planned_pose(bench)
+    return drawing.scene(
+        title, "M", items, view="rough scan" if there else "rough plan", legend=legend,
+        look_from=planned[:3, :3] @ blade.seen_from(bench, planned), up=planned[:3, 2],
+        fit_to=("scan", "blade", "pick", "name"),
+    )  # fmt: skip
 
 
-def _cad_scene(bench: Bench, pairs: tuple[_PairRow, ...]) -> Scene:
-    """The CAD model in {W}."""
+def _cad_scene(bench: Bench, pairs: tuple[_PairRow, ...], found: RoughOutcome | None) -> Scene:
+    """The CAD model in {W}, turned as it is in the scan: as found, else as the drawings say."""
     items: list[Item | None] = [blade.cad_mesh(bench, "blade", pickable=True), drawing.frame("W", np.eye(4))]
     for item in pairs:
         if item.pair.cad_mm is not None:
             items += _pick(item, np.array(item.pair.cad_mm))
-    return drawing.scene("CAD model", "W", items, view="rough cad")
+    pose = blade.planned_pose(bench) if found is None else found.measure_from_work
+    upright = blade.planned_pose(bench)[:3, 2]
+    return drawing.scene(
+        "CAD model", "W", items, view="rough cad" if found is None else "rough cad found",
+        look_from=blade.seen_from(bench, pose), up=pose[:3, :3].T @ upright,
+    )  # fmt: skip
 
 
 def _pick(item: _PairRow, at: Array) -> list[Item]:

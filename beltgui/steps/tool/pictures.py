@@ -17,7 +17,7 @@ from beltgui.viewmodel.plot import Curve, LimitLine, Marks, Plot
 from beltgui.viewmodel.scene import Arrow, Item, Lines, Points, Role, Scene
 from beltgui.viewmodel.step import Use
 from core.frames import transform_points
-from core.tool import StylusLimits, WheelFit
+from core.tool import StylusLimits
 from devices.cell_plan import CellPlan, GrinderPlan
 
 Array = NDArray[np.float64]
@@ -26,15 +26,19 @@ DIRECTIONS_MM = 60.0
 RESIDUAL_LENGTH_MM = 40.0
 LEGEND = (
     (Role.FIT, "touch in the fit"),
-    (Role.HELD_OUT, "touch kept out of the fit"),
+    (Role.HELD_OUT, "kept out of the fit"),
     (Role.EXCLUDED, "touch left out"),
     (Role.WHEEL, "contact wheel and its head axis"),
     (Role.SUGGESTION, "touch that would add most"),
 )
 
 
+PLANNED = (Role.SUGGESTION, "planned touch")
 ALL = "all"
 CONE = "cone"
+# Beside the cone there is room for so many pictures.
+MOST_GRINDERS = 2
+LOOK_FROM = (0.3, -0.9, 0.35)
 
 
 def scene(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None, advice: Advice | None, focus: str) -> Scene:
@@ -45,46 +49,83 @@ def scene(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None, advice:
         touches: All of them.
         outcome: None before there is one.
         advice: Where one more touch would add most.
-        focus: `CONE`, a grinder's name, or `ALL`: cone and grinders stand metres apart.
+        focus: `CONE`, a grinder's name, or `ALL`: cone and grinders stand metres apart, each has a picture of its own.
     """
-    items: list[Item | None] = []
-    if focus in (CONE, ALL):
-        items += _cone(plan, touches, outcome)
-    for name, grinder in plan.grinders.items():
-        if focus in (name, ALL):
-            items += _grinder(name, grinder, plan, touches, outcome)
-    if focus == ALL:
-        items += [drawing.frame("B", np.eye(4), 150.0), drawing.robot_base("robot", np.eye(4))]
+    grinders = {
+        name: _grinder_scene(name, plan, touches, outcome, advice) for name in plan.grinders if focus in (name, ALL)
+    }
+    if focus in grinders:
+        return grinders[focus]
+    cone = _cone(plan, touches, outcome)
+    legend = list(LEGEND) if touches.cone else [PLANNED]
     if outcome is not None:
-        items += _residuals(outcome, focus)
-    if outcome is not None and advice is not None:
-        part = CONE if isinstance(advice, ConeAdvice) else advice.grinder
-        items += _suggested(advice, outcome, plan) if focus in (part, ALL) else []
-    titles = {CONE: "Stylus in the cone", ALL: "Stylus in the cone and on the wheel shafts"}
-    title = titles.get(focus, f"Stylus on the wheel shaft of grinder {focus}")
-    return drawing.scene(title, "B", items, view=f"tool {focus}", legend=LEGEND)
+        ways = np.array([outcome.cone_misses_mm[touch.id] for touch in outcome.touches.cone])
+        starts = np.repeat(outcome.stylus.pivot_in_base_mm[None], len(ways), axis=0)
+        residuals, words = _residuals(starts, ways)
+        cone += residuals
+        legend += words
+        if isinstance(advice, ConeAdvice):
+            cone += _suggested(advice, outcome, plan)
+    beside = tuple(grinders.values())[:MOST_GRINDERS]
+    return drawing.scene("Stylus in the cone", "B", cone, view=f"tool {focus}", legend=legend,
+                         look_from=LOOK_FROM, fit_to=("cone", "stylus", "directions", "flange", "suggested"),
+                         beside=beside)  # fmt: skip
 
 
-def _cone(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None) -> list[Item]:
+def _grinder_scene(
+    name: str, plan: CellPlan, touches: Touches, outcome: ToolOutcome | None, advice: Advice | None
+) -> Scene:
+    """A grinder's head with its wheel: as found, or as drawn while nothing is known."""
+    grinder = plan.grinders[name]
+    tip = plan.stylus.nominal_tip_in_flange_mm if outcome is None else outcome.stylus.tip_in_flange_mm
+    fit = None if outcome is None else outcome.wheels.get(name)
+    base_from_tool = grinder.base_from_tool if fit is None else fit.base_from_tool
+    radius_mm = grinder.head_radius_mm if fit is None else fit.radius_mm
+    shafts = [touch for touch in touches.shafts if touch.grinder == name]
+    items = [
+        *_wheel(name, base_from_tool, radius_mm, grinder, 0.5 if fit is not None else 0.25),
+        *_touch_points(name, shafts, tip, len(grinder.touch_angles_rad)),
+    ]
+    legend = list(LEGEND)
+    if fit is None:
+        there = {touch.slot for touch in shafts}
+        angles = np.array([angle for slot, angle in enumerate(grinder.touch_angles_rad) if slot not in there])
+        marks = radius_mm * np.stack([np.cos(angles) - 1.0, np.sin(angles), 0.0 * angles], axis=1)
+        marks[:, 2] = grinder.shaft_side_offset_mm
+        marks = transform_points(base_from_tool, marks)
+        items.append(Points(f"planned {name}", drawing.display(marks), Role.SUGGESTION, size_px=9.0))
+        legend[-1] = PLANNED
+    if outcome is not None:
+        known = [shaft for shaft in outcome.touches.shafts
+                 if shaft.grinder == name and shaft.id in outcome.shaft_misses_mm]  # fmt: skip
+        ways = np.array([outcome.shaft_misses_mm[shaft.id] for shaft in known]).reshape(-1, 3)
+        tips = np.array([tip_in_base(shaft, outcome.stylus) for shaft in known]).reshape(-1, 3)
+        residuals, words = _residuals(tips - ways, ways)
+        items += residuals
+        legend += words
+        if advice is not None and not isinstance(advice, ConeAdvice) and advice.grinder == name:
+            items += _suggested(advice, outcome, plan)
+    axis = base_from_tool[:3, 2] * (1.0 if grinder.shaft_side_offset_mm >= 0.0 else -1.0)
+    look_from = axis + 0.45 * np.array([0.0, 0.0, 1.0]) + 0.5 * np.cross([0.0, 0.0, 1.0], axis)
+    return drawing.scene(f"Grinder {name}", "B", items, view=f"tool {name}", legend=legend, look_from=look_from)
+
+
+def _cone(plan: CellPlan, touches: Touches, outcome: ToolOutcome | None) -> list[Item | None]:
     tip = plan.stylus.nominal_tip_in_flange_mm if outcome is None else outcome.stylus.tip_in_flange_mm
     cone = plan.stylus.cone_in_base_mm if outcome is None else outcome.stylus.pivot_in_base_mm
-    return [
+    items: list[Item | None] = [
         drawing.label("cone label", cone - np.array([0.0, 0.0, 30.0]), "cone"),
-        *_styluses(touches.cone, tip, cone, len(plan.stylus.touches)),
+        drawing.funnel("cone", cone, (0.0, 0.0, 1.0), 12.0, 18.0, Role.MUTED, 0.8),
     ]
-
-
-def _grinder(
-    name: str, grinder: GrinderPlan, plan: CellPlan, touches: Touches, outcome: ToolOutcome | None
-) -> list[Item]:
-    tip = plan.stylus.nominal_tip_in_flange_mm if outcome is None else outcome.stylus.tip_in_flange_mm
-    shafts = [touch for touch in touches.shafts if touch.grinder == name]
-    items = _touch_points(name, shafts, tip, len(grinder.touch_angles_rad))
-    if outcome is not None and name in outcome.wheels:
-        items += _wheel(name, outcome.wheels[name], grinder)
-    else:
-        items.append(drawing.frame(f"H {name}, by the drawing", grinder.base_from_tool, 60.0))
-    return items
+    if touches.cone:
+        return [*items, *_styluses(touches.cone, tip, cone, len(plan.stylus.touches))]
+    flanges = np.array(plan.stylus.touches)
+    ends = np.repeat(np.asarray(cone, dtype=float)[None], len(flanges), axis=0)
+    return [
+        *items,
+        drawing.segments("stylus, planned", flanges[:, :3, 3], ends, Role.SUGGESTION, 1.5),
+        *drawing.triads("flange", flanges, 25.0, 1.5),
+    ]
 
 
 def use_of(touch: ConeTouch | ShaftTouch, planned: int) -> Use:
@@ -126,43 +167,32 @@ def _touch_points(name: str, touches: Sequence[ShaftTouch], tip: Array, planned:
     return items
 
 
-def _wheel(name: str, fit: WheelFit, plan: GrinderPlan) -> list[Item]:
+def _wheel(name: str, base_from_tool: Array, radius_mm: float, plan: GrinderPlan, opacity: float) -> list[Item | None]:
     """Wheel circle and plane, the arc of the marks, the head axis and {H}."""
-    center, axis = fit.base_from_tool[:3, 3], fit.head_axis_direction
-    middle = transform_points(fit.base_from_tool, [-fit.radius_mm, 0.0, 0.0])
-    marks = [shaft_mark(fit, angle, plan.shaft_side_offset_mm) for angle in np.linspace(*plan.travel_rad, 33)]
+    center, axis = base_from_tool[:3, 3], base_from_tool[:3, 2]
+    middle = transform_points(base_from_tool, [-radius_mm, 0.0, 0.0])
+    on_mark = transform_points(base_from_tool, [-radius_mm, 0.0, plan.shaft_side_offset_mm])
+    marks = drawing.arc(on_mark, axis, base_from_tool[:3, 0], radius_mm, *plan.travel_rad, 33)
     return [
-        drawing.frame(f"H {name}", fit.base_from_tool, 60.0),
+        drawing.frame(f"H {name}", base_from_tool, 60.0),
         drawing.cylinder(
-            f"wheel {name}", center, axis, plan.wheel_radius_mm, plan.wheel_width_mm, Role.WHEEL, 0.5
+            f"wheel {name}", center, axis, plan.wheel_radius_mm, plan.wheel_width_mm, Role.WHEEL, opacity
         ),
         Lines(f"wheel circle {name}", (drawing.circle(center, axis, plan.wheel_radius_mm),), Role.WHEEL, 2.5),
         drawing.disc(f"wheel plane {name}", center, axis, 1.4 * plan.wheel_radius_mm, Role.WHEEL, 0.12),
-        Lines(f"marks {name}", (drawing.display(np.array(marks)),), Role.MUTED, 1.5),
+        Lines(f"marks {name}", (marks,), Role.MUTED, 1.5),
         Lines(f"head {name}", (drawing.display(np.array([middle, center])),), Role.MUTED, 3.0),
         Arrow(f"head axis {name}", middle - 60.0 * axis, 120.0 * axis, Role.WHEEL, f"head axis {name}"),
     ]  # fmt: skip
 
 
-def _residuals(outcome: ToolOutcome, focus: str) -> list[Item]:
-    starts, ways = [], []
-    for cone in outcome.touches.cone if focus in (CONE, ALL) else ():
-        starts.append(outcome.stylus.pivot_in_base_mm)
-        ways.append(outcome.cone_misses_mm[cone.id])
-    for shaft in outcome.touches.shafts:
-        if shaft.id in outcome.shaft_misses_mm and focus in (shaft.grinder, ALL):
-            way = outcome.shaft_misses_mm[shaft.id]
-            starts.append(tip_in_base(shaft, outcome.stylus) - way)
-            ways.append(way)
-    if not ways:
-        return []
-    away = np.array(ways)
-    times = drawing.exaggeration(away, RESIDUAL_LENGTH_MM)
-    at = starts[0] + np.array([0.0, 0.0, 1.5 * DIRECTIONS_MM])
-    return [
-        drawing.exaggerated("residuals", np.array(starts), away, times, Role.ATTENTION),
-        drawing.label("residuals label", at, f"residuals drawn {times:.0f} times as long"),
-    ]
+def _residuals(starts: Array, ways: Array) -> tuple[list[Item | None], list[tuple[Role, str]]]:
+    """Lines from `starts` (N, 3) along `ways` (N, 3), and what the legend says of them."""
+    if not len(ways):
+        return [], []
+    times = drawing.exaggeration(ways, RESIDUAL_LENGTH_MM)
+    lines = drawing.exaggerated("residuals", starts, ways, times, Role.ATTENTION, 3.0)
+    return [lines], [(Role.ATTENTION, f"residuals drawn {times:.0f} times as long")]
 
 
 def _suggested(advice: Advice, outcome: ToolOutcome, plan: CellPlan) -> list[Item]:

@@ -148,17 +148,44 @@ def scan_items(scans: Sequence[ShownScan], scene_from_measure: Array, *, pickabl
 
 def planned_items(bench: Bench) -> list[Item]:
     """What is going to be scanned, in {M} as the drawings say: the blade, and the scanner's volume at each place."""
-    poses = bench.plan.fine_step
-    in_base = poses[0].base_from_flange @ bench.blade.flange_from_work
-    measure_from_work = inverse(bench.plan.base_from_measure) @ in_base
-    items: list[Item] = [cad_mesh(bench, "blade as planned", scene_from_work=measure_from_work, opacity=0.3)]
-    ball = bench.found.get("ball")
-    if ball is not None:
-        for pose in poses:
-            place = np.array([pose.stage.x_mm, pose.stage.y_mm, pose.stage.z_mm])
-            scanner = ball.stage.measure_from_scanner_at(place, pose.stage.theta_rad)
-            items.append(drawing.scanner_volume(f"scanner, {pose.name}", scanner, bench.plan.scanner))
+    items: list[Item] = [cad_mesh(bench, "blade as planned", scene_from_work=planned_pose(bench), opacity=0.6)]
+    items += [
+        drawing.scanner_volume(f"scanner, {name}", scanner, bench.plan.scanner)
+        for name, scanner in _scanners(bench).items()
+    ]
     return items
+
+
+def planned_pose(bench: Bench) -> Array:
+    """measure_from_work (4, 4) as the drawings say."""
+    in_base = bench.plan.fine_step[0].base_from_flange @ bench.blade.flange_from_work
+    return np.asarray(inverse(bench.plan.base_from_measure) @ in_base)
+
+
+def _scanners(bench: Bench) -> dict[str, Array]:
+    """measure_from_scanner (4, 4) of each planned scan by name; none without a result of the ball step."""
+    ball = bench.found.get("ball")
+    if ball is None:
+        return {}
+    return {
+        pose.name: ball.stage.measure_from_scanner_at(
+            np.array([pose.stage.x_mm, pose.stage.y_mm, pose.stage.z_mm]), pose.stage.theta_rad
+        )
+        for pose in bench.plan.fine_step
+    }
+
+
+def seen_from(bench: Bench, measure_from_work: Array) -> Array:
+    """(3,) unit, {W}: where the scanner stands, as seen from the blade; by the drawings before the ball step."""
+    scanners = list(_scanners(bench).values()) or [np.eye(4)]
+    toward = -np.mean([pose[:3, 2] for pose in scanners], axis=0)
+    in_work = measure_from_work[:3, :3].T @ toward
+    return np.asarray(in_work / np.linalg.norm(in_work))
+
+
+def lying(look_from: Array) -> Array:
+    """(3,) {W}: what must be up so that the blade lies across the picture, its z axis to the right."""
+    return np.cross(look_from, [0.0, 0.0, 1.0])
 
 
 # ---- numbers and checks

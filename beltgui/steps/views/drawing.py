@@ -190,6 +190,18 @@ def cylinder(
     return Mesh(name, np.vstack(ends), triangles, role, opacity)
 
 
+def funnel(
+    name: str, tip: ArrayLike, axis: ArrayLike, radius_mm: float, height_mm: float, role: Role, opacity: float = 0.5,
+    count: int = 32,
+) -> Mesh:  # fmt: skip
+    """The shell of a cone with its `tip` (3,), that opens along `axis` (3,)."""
+    rim = circle(np.asarray(tip, dtype=float) + height_mm * _unit(np.asarray(axis, dtype=float)), axis, radius_mm,
+                 count + 1)[:-1]  # fmt: skip
+    index = np.arange(count)
+    triangles = np.column_stack([np.zeros(count), 1 + index, 1 + (index + 1) % count]).astype(np.int32)
+    return Mesh(name, np.vstack([display(tip), rim]), triangles, role, opacity)
+
+
 # ---- things of the cell
 
 
@@ -232,11 +244,36 @@ def label(name: str, at: ArrayLike, text: str, role: Role = Role.MUTED) -> Label
 
 
 def scene(
-    title: str, letter: str, items: Iterable[Item | None], *, view: str, legend: Sequence[tuple[Role, str]] = ()
-) -> Scene:
-    """A scene of those items that are there; empty clouds and bundles of lines are left out."""
+    title: str, letter: str, items: Iterable[Item | None], *, view: str, legend: Sequence[tuple[Role, str]] = (),
+    look_from: ArrayLike | None = None, up: ArrayLike = (0.0, 0.0, 1.0), fit_to: Sequence[str] = (),
+    beside: Sequence[Scene] = (),
+) -> Scene:  # fmt: skip
+    """A scene of those items that are there, and a legend of what is drawn.
+
+    Empty clouds and bundles of lines are left out, and of the legend what explains nothing; the rest as in `Scene`.
+    """
     kept = tuple(item for item in items if item is not None and not _empty(item))
-    return Scene(title, letter, kept, view, tuple(legend))
+    drawn = {role for item in kept for role in _roles(item)}
+    return Scene(
+        title, letter, kept, view, tuple((role, words) for role, words in legend if role in drawn),
+        None if look_from is None else _triple(look_from), _triple(up), tuple(fit_to), tuple(beside),
+    )  # fmt: skip
+
+
+def _roles(item: Item) -> tuple[Role, ...]:
+    """By which roles an item is coloured."""
+    if isinstance(item, Frame):
+        return (Role.X, Role.Y, Role.Z)
+    if isinstance(item, Mesh) and item.chosen_faces:
+        return (item.role, Role.CHOSEN)
+    if isinstance(item, Points | Mesh) and item.values is not None:
+        return ()
+    return (item.role,)
+
+
+def _triple(vector: ArrayLike) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in np.asarray(vector, dtype=float))
+    return x, y, z
 
 
 def _empty(item: Item) -> bool:
