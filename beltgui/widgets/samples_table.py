@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QPoint, QRectF, Qt, Signal
-from PySide6.QtGui import QAction, QColor, QKeyEvent, QKeySequence, QPainter
+from PySide6.QtGui import QAction, QColor, QKeyEvent, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
@@ -189,12 +189,14 @@ class SamplesTable(QWidget):
         self.undo_button.clicked.connect(self.undo_wanted)
         self.redo_button.clicked.connect(self.redo_wanted)
         self.delete_button.clicked.connect(self._delete)
-        self.undo_button.setShortcut(QKeySequence(QKeySequence.StandardKey.Undo))
-        self.redo_button.setShortcut(QKeySequence("Ctrl+Shift+Z"))
+        # Not the buttons' own shortcuts: those become Alt and the underlined letter with every text that is set.
+        for keys, button in (("Ctrl+Z", self.undo_button), ("Ctrl+Shift+Z", self.redo_button)):
+            QShortcut(QKeySequence(keys), self).activated.connect(button.click)
         self.flagged_only = QCheckBox(self)
         self.flagged_only.setObjectName("samples_flagged")
         self.flagged_only.toggled.connect(self.model.show_only_flagged)
         buttons = QHBoxLayout()
+        buttons.setContentsMargins(0, 0, 6, 0)
         buttons.setSpacing(4)
         for widget in (self.undo_button, self.redo_button, self.delete_button):
             buttons.addWidget(widget)
