@@ -13,6 +13,8 @@ BENCHMARKS = (
     ("Error surface: golden case", "benchmarks.error_surface_golden"),
     ("Fine registration of blades that are not in the project", "benchmarks.fine_unknown_blade"),
     ("Rough registration from any pose", "benchmarks.rough_auto"),
+    ("Gaps of the window's event loop", "benchmarks.gui_gaps"),
+    ("Start of the program", "benchmarks.start_up"),
     ("Simulated cells commissioned from nothing", "benchmarks.demo_cell"),
 )
 
