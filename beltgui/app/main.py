@@ -65,6 +65,7 @@ def run(
     window = MainWindow(client, make_page=_make_page, config=config, person=person)
     window.closed.connect(client.close)
     window.show()
+    window.activateWindow()  # the keyboard works at once, also where no window manager gives it to the window
     client.start()
     if session is not None:
         window.doors.open(str(session))

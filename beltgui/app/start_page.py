@@ -10,7 +10,7 @@ from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QStandardPaths, Qt, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QPixmap, QShowEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QFormLayout,
@@ -95,7 +95,6 @@ class StartPage(QScrollArea):
         theme().changed.connect(self._dress)
         self._dress()
         self._write()
-        self.person.setFocus()
 
     # ---- content
 
@@ -155,6 +154,11 @@ class StartPage(QScrollArea):
         self._recent_title.setVisible(bool(folders))
         self._folder_is_ours = True
         self._propose_folder()
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802  (Qt's name)
+        """The keyboard begins at the name."""
+        super().showEvent(event)
+        self.person.setFocus()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802  (Qt's name)
         """Follow the language."""

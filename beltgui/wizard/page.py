@@ -33,6 +33,8 @@ from beltgui.wizard.verdict import verdict_of
 
 # Of the page's height, up to this many pixels on a small screen.
 BOTTOM_SHARE, BOTTOM_PX = 0.36, 250
+# Of the page's width, between the panel's own least width and this one.
+SIDE_SHARE, WIDEST_PX = 0.2, 420
 
 
 class StepPage(QWidget):
@@ -172,8 +174,9 @@ class StepPage(QWidget):
         self._share_out()
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
-        """The bottom's height follows the page's until a person has moved it."""
+        """The right panel's width follows the page's, the bottom's height too until a person has moved it."""
         super().resizeEvent(event)
+        self._set_width()
         self._share_out()
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802
@@ -191,6 +194,9 @@ class StepPage(QWidget):
         self.tables.setObjectName("tables")
         self.tables.setDocumentMode(True)
         self.tables.setTabBarAutoHide(True)
+        # Its bar takes the keyboard itself; a hidden bar as its stand-in would be where Tab gets stuck.
+        self.tables.setFocusProxy(None)
+        self.tables.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.tables.addTab(self.samples, "")
         self.side = SidePanel(self.panels, self)
         self.question = self.side.question
@@ -311,7 +317,7 @@ class StepPage(QWidget):
         self._moved_by_hand = True
 
     def _set_width(self) -> None:
-        self.side.setFixedWidth(px(WIDTH_PX))
+        self.side.setFixedWidth(min(max(px(WIDTH_PX), int(self.width() * SIDE_SHARE)), px(WIDEST_PX)))
 
     def _share_out(self) -> None:
         if self._moved_by_hand:

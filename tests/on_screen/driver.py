@@ -88,13 +88,24 @@ class Screen:
 
         return self.look(read)
 
+    def focus(self) -> str:
+        """Object name of the widget that the keyboard is on; empty for none."""
+
+        def read() -> str:
+            widget = QApplication.focusWidget()
+            return "" if widget is None else widget.objectName() or type(widget).__name__
+
+        return self.look(read)
+
     def wait(self, what: str, condition: Callable[[], bool], timeout_s: float = 60.0) -> None:
         """Look again and again until it is so (the condition is called in this thread)."""
         end = time.monotonic() + timeout_s
         while not condition():
             if time.monotonic() > end:
                 self.shot("took_too_long")
-                raise TooLongError(f"{what}: not within {timeout_s:g} s; see {self.shots[-1]}")
+                raise TooLongError(
+                    f"{what}: not within {timeout_s:g} s; the keyboard is on '{self.focus()}'; see {self.shots[-1]}"
+                )
             self._pause.wait(LOOK_EVERY_S)
 
     # ---- acting

@@ -148,13 +148,39 @@ def main(words: list[str] | None = None) -> int:
 
 
 def walk(out: Path, *, theme: str, language: str, cell: dict[str, Any]) -> list[BaseException]:
-    """The application and the person before it.
+    """The application and the person before it; see `at_the_window`."""
+
+    def work(screen: Screen, state: Callable[[str], str]) -> None:
+        person = Walk(screen, state)
+        person.begin("Ada")
+        for step in STEPS:
+            person.step(step)
+            if step != STEPS[-1]:
+                person.next()
+        person.export()
+
+    return at_the_window(work, out, theme=theme, language=language, cell=cell)
+
+
+def at_the_window(
+    work: Callable[[Screen, Callable[[str], str]], None],
+    out: Path,
+    *,
+    theme: str = "light",
+    language: str = "en",
+    cell: dict[str, Any],
+) -> list[BaseException]:
+    """The application as on a computer where it was never used, and someone at it.
 
     Args:
+        work: What is done there; gets the screen, and what gives a step's state. The application is closed after it.
         out: Folder for the pictures.
         theme: `light` or `dark`.
         language: `en` or `zh_CN`.
         cell: Fields of `NewSession` that the start page does not ask for.
+
+    Returns:
+        What went wrong.
     """
     from PySide6.QtWidgets import QApplication
 
@@ -179,20 +205,14 @@ def walk(out: Path, *, theme: str, language: str, cell: dict[str, Any]) -> list[
         views = screen.look(lambda: window().known.views)
         return str(views[step].state) if step in views else ""
 
-    def work() -> None:
-        person = Walk(screen, state)
-        person.begin("Ada")
-        for step in STEPS:
-            person.step(step)
-            if step != STEPS[-1]:
-                person.next()
-        person.export()
+    def work_and_close() -> None:
+        work(screen, state)
         screen.key("ctrl+q")
 
     with tempfile.TemporaryDirectory() as home:
         for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "BELTCAL_HOME"):
             os.environ[name] = home
-        return run_beside(lambda: application.run(sim=True, theme=theme, language=language), work)
+        return run_beside(lambda: application.run(sim=True, theme=theme, language=language), work_and_close)
 
 
 if __name__ == "__main__":
