@@ -741,6 +741,10 @@
         <translation>放大、缩小、标准文字</translation>
     </message>
     <message>
+        <source>3D view in a window of its own; there: the whole screen, Esc closes it</source>
+        <translation>在独立窗口中显示三维视图；在该窗口中：全屏，按 Esc 关闭</translation>
+    </message>
+    <message>
         <source>Help of the step</source>
         <translation>此步骤的帮助</translation>
     </message>
@@ -774,6 +778,10 @@
     <message>
         <source>Flange in {B}: </source>
         <translation>法兰在 {B} 中：</translation>
+    </message>
+    <message>
+        <source>Robot: </source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stage: </source>
@@ -927,6 +935,10 @@
     <message>
         <source>&amp;Dark</source>
         <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;3D view in a window of its own</source>
+        <translation>在独立窗口中显示三维视图(&amp;3)</translation>
     </message>
     <message>
         <source>Lar&amp;ger text</source>
@@ -1439,6 +1451,18 @@
         <translation>从前方、右方和上方（4）</translation>
     </message>
     <message>
+        <source>Window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>3D view in a window of its own</source>
+        <translation>独立窗口中的三维视图</translation>
+    </message>
+    <message>
+        <source>The same in a window of its own, drawn by the graphics card: large, or on another screen (F11)</source>
+        <translation>在独立窗口中显示同一画面，由显卡绘制：可放大，或放到另一块屏幕上（F11）</translation>
+    </message>
+    <message>
         <source>Start the 3D view again</source>
         <translation>重新启动三维视图</translation>
     </message>
@@ -1457,6 +1481,29 @@
     <message>
         <source>The 3D view is being prepared.</source>
         <translation>正在准备三维视图。</translation>
+    </message>
+</context>
+<context>
+    <name>SceneWindow</name>
+    <message>
+        <source>A window of its own needs OpenGL, which the screen “{platform}” does not offer.</source>
+        <translation>独立窗口需要 OpenGL，而屏幕“{platform}”不提供。</translation>
+    </message>
+    <message>
+        <source>The screen gives it no OpenGL.</source>
+        <translation>屏幕没有为它提供 OpenGL。</translation>
+    </message>
+    <message>
+        <source>3D view – beltcal</source>
+        <translation>三维视图 – beltcal</translation>
+    </message>
+    <message>
+        <source>3D view in a window of its own</source>
+        <translation>独立窗口中的三维视图</translation>
+    </message>
+    <message>
+        <source>This window cannot be drawn: {reason}</source>
+        <translation>无法绘制此窗口：{reason}</translation>
     </message>
 </context>
 <context>
@@ -1718,16 +1765,16 @@
 <context>
     <name>ToolPanel</name>
     <message>
+        <source>Grinder {grinder}: {done} of {planned} touches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cone: {done} of {planned} touches</source>
         <translation>锥窝：{done}/{planned} 次触测</translation>
     </message>
     <message>
-        <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop read</source>
-        <translation>{grinder}砂带磨床：{done}/{planned} 次触测，浮动头挡块已读取</translation>
-    </message>
-    <message>
-        <source>Grinder {grinder}: {done} of {planned} touches, head&apos;s stop not read yet</source>
-        <translation>{grinder}砂带磨床：{done}/{planned} 次触测，浮动头挡块尚未读取</translation>
+        <source>, head&apos;s stop not read yet</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2153,10 +2200,6 @@
         <translation>{0}砂带磨床：{1}</translation>
     </message>
     <message>
-        <source>H {0}, by the drawing</source>
-        <translation>H {0}，按图纸</translation>
-    </message>
-    <message>
         <source>Is {0} meant?</source>
         <translation>是否指{0}？</translation>
     </message>
@@ -2447,6 +2490,10 @@
     <message>
         <source>Scanner noise: expected a positive sigma in mm, found {0}.</source>
         <translation>扫描仪噪声：应为正的 sigma（mm），现为{0}。</translation>
+    </message>
+    <message>
+        <source>Scanner on its stage</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scatter of the stage in it, each coordinate</source>
@@ -3301,6 +3348,10 @@
         <translation>标准球</translation>
     </message>
     <message>
+        <source>ball by the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>ball centre in {B}</source>
         <translation>{B} 中的球心</translation>
     </message>
@@ -3767,10 +3818,6 @@
     <message>
         <source>By the other pairs</source>
         <translation>由其他点对</translation>
-    </message>
-    <message>
-        <source>CAD model where it was found in the scan</source>
-        <translation>CAD 模型在扫描中的位置</translation>
     </message>
     <message>
         <source>Choose one more face that holds the blade{0}.</source>
@@ -4257,10 +4304,6 @@
         <translation>扫描点在 {M} 中的不确定度（k = 2），最差的计划扫描</translation>
     </message>
     <message>
-        <source>Scanner on its stage, ball standing still</source>
-        <translation>位移台上的扫描仪，标准球静止</translation>
-    </message>
-    <message>
         <source>Scanner {S} in {M} at stage zero, turn</source>
         <translation>位移台零位时扫描仪 {S} 在 {M} 中的转角</translation>
     </message>
@@ -4327,10 +4370,6 @@
     <message>
         <source>Still to be picked on the {0}.</source>
         <translation>尚待在{0}上选取。</translation>
-    </message>
-    <message>
-        <source>Stylus in the cone and on the wheel shafts</source>
-        <translation>测针在锥窝中和轮轴上</translation>
     </message>
     <message>
         <source>Stylus tip in {F}</source>
@@ -4595,10 +4634,6 @@
     <message>
         <source>ball by robot off ball by scanner, mm</source>
         <translation>机器人所得球心与扫描仪所得球心之差，mm</translation>
-    </message>
-    <message>
-        <source>ball by the robot, and its distance to the ball by the scanner</source>
-        <translation>机器人所得的球，及其与扫描仪所得的球的距离</translation>
     </message>
     <message>
         <source>ball by the scanner</source>
@@ -5025,6 +5060,10 @@
         <translation>线</translation>
     </message>
     <message>
+        <source>line that is probed next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>line {0}</source>
         <translation>线{0}</translation>
     </message>
@@ -5035,6 +5074,10 @@
     <message>
         <source>lines</source>
         <translation>条线</translation>
+    </message>
+    <message>
+        <source>lines to come</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>longitudinal</source>
@@ -5345,6 +5388,10 @@
         <translation>平面</translation>
     </message>
     <message>
+        <source>planned touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>planning a path</source>
         <translation>正在规划路径</translation>
     </message>
@@ -5371,6 +5418,10 @@
     <message>
         <source>points of the faces</source>
         <translation>各面的点</translation>
+    </message>
+    <message>
+        <source>points off the chosen faces</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>points on the ball</source>
@@ -5901,10 +5952,6 @@
         <translation>各轴还没有参考点。请先让位移台回参考点。</translation>
     </message>
     <message>
-        <source>the ball, and where the scanner stood for the scans in the fit</source>
-        <translation>标准球，以及拟合中各次扫描时扫描仪的位置</translation>
-    </message>
-    <message>
         <source>the blade is to be clamped</source>
         <translation>要装夹叶片</translation>
     </message>
@@ -6039,10 +6086,6 @@
     <message>
         <source>touch in the fit</source>
         <translation>拟合中的触测</translation>
-    </message>
-    <message>
-        <source>touch kept out of the fit</source>
-        <translation>留在拟合之外的触测</translation>
     </message>
     <message>
         <source>touch left out</source>
@@ -6397,6 +6440,10 @@
         <translation>已选取{0}个点对，至少需要{1}个：请再选取{2}个，每个都在扫描和 CAD 模型上选取，分布在整个叶片上。</translation>
     </message>
     <message>
+        <source>{B} {0} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{H {0}, by the drawing}</source>
         <translation>{H {0}，按图纸}</translation>
     </message>
@@ -6437,8 +6484,16 @@
         <translation>标准球</translation>
     </message>
     <message>
+        <source>Ball in the newest scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>基坐标系</translation>
+    </message>
+    <message>
+        <source>CAD model found in the scan</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Directory not empty</source>
@@ -6743,10 +6798,6 @@
     <message>
         <source>{0}. Aim the scanner at the ball and see that nothing hides it.</source>
         <translation>{0}。请将扫描仪对准标准球，并确认没有遮挡。</translation>
-    </message>
-    <message>
-        <source>{0}: 90 deg {1} deg</source>
-        <translation>{0}：90 deg {1} deg</translation>
     </message>
     <message>
         <source>{0}: Rg by the touches alone, certified {1} mm</source>
