@@ -46,7 +46,7 @@ def bench_of(live: Live, session: Session | None = None) -> Bench:
     nominal = SimpleNamespace(measure_from_work=inverse(live.sim.truth.base_from_measure) @ in_base)
     bench.found.update(
         ball=SimpleNamespace(stage=live.stage_fit()), base=SimpleNamespace(fit=live.base_fit()),
-        fine=SimpleNamespace(fit=nominal), tool=SimpleNamespace(wheels=wheels, rests_rad=rests),
+        fine=SimpleNamespace(fit=nominal, face_ids=None), tool=SimpleNamespace(wheels=wheels, rests_rad=rests),
     )  # fmt: skip
     return bench
 
