@@ -265,7 +265,9 @@ class StepPage(QWidget):
             content.columns if content else (), content.rows if content else (),
             undo=self._may(Action.UNDO), redo=self._may(Action.REDO),
         )  # fmt: skip
-        wanted = bool(content and (content.plots or content.rows))
+        # Undo and redo are beside the table: what was deleted or started over must come back from there.
+        edited = view is not None and bool(view.actions & {Action.UNDO, Action.REDO})
+        wanted = bool(content and (content.plots or content.rows)) or edited
         if wanted != self.bottom.isVisibleTo(self):
             self.bottom.setVisible(wanted)
             self._share_out()
