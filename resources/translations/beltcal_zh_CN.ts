@@ -2493,7 +2493,7 @@
     </message>
     <message>
         <source>Scanner on its stage</source>
-        <translation type="unfinished"></translation>
+        <translation>位移台上的扫描仪</translation>
     </message>
     <message>
         <source>Scatter of the stage in it, each coordinate</source>
@@ -3349,7 +3349,7 @@
     </message>
     <message>
         <source>ball by the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人所得的球</translation>
     </message>
     <message>
         <source>ball centre in {B}</source>
@@ -5061,7 +5061,7 @@
     </message>
     <message>
         <source>line that is probed next</source>
-        <translation type="unfinished"></translation>
+        <translation>接下来探测的线</translation>
     </message>
     <message>
         <source>line {0}</source>
@@ -5077,7 +5077,7 @@
     </message>
     <message>
         <source>lines to come</source>
-        <translation type="unfinished"></translation>
+        <translation>待探测的线</translation>
     </message>
     <message>
         <source>longitudinal</source>
@@ -5389,7 +5389,7 @@
     </message>
     <message>
         <source>planned touch</source>
-        <translation type="unfinished"></translation>
+        <translation>计划的触测</translation>
     </message>
     <message>
         <source>planning a path</source>
@@ -5421,7 +5421,7 @@
     </message>
     <message>
         <source>points off the chosen faces</source>
-        <translation type="unfinished"></translation>
+        <translation>所选面之外的点</translation>
     </message>
     <message>
         <source>points on the ball</source>
@@ -6441,7 +6441,7 @@
     </message>
     <message>
         <source>{B} {0} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{B} {0} mm</translation>
     </message>
     <message>
         <source>{H {0}, by the drawing}</source>
@@ -6485,7 +6485,7 @@
     </message>
     <message>
         <source>Ball in the newest scan</source>
-        <translation type="unfinished"></translation>
+        <translation>最新扫描中的标准球</translation>
     </message>
     <message>
         <source>Base</source>
@@ -6493,7 +6493,7 @@
     </message>
     <message>
         <source>CAD model found in the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>在扫描中找到的 CAD 模型</translation>
     </message>
     <message>
         <source>Directory not empty</source>
