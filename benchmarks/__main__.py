@@ -15,6 +15,7 @@ BENCHMARKS = (
     ("Rough registration from any pose", "benchmarks.rough_auto"),
     ("Gaps of the window's event loop", "benchmarks.gui_gaps"),
     ("Start of the program", "benchmarks.start_up"),
+    ("Runs that are killed at random moments", "benchmarks.kill_and_reopen"),
     ("Simulated cells commissioned from nothing", "benchmarks.demo_cell"),
 )
 
