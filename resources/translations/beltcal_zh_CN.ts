@@ -781,7 +781,7 @@
     </message>
     <message>
         <source>Robot: </source>
-        <translation type="unfinished"></translation>
+        <translation>机器人：</translation>
     </message>
     <message>
         <source>Stage: </source>
@@ -1766,7 +1766,7 @@
     <name>ToolPanel</name>
     <message>
         <source>Grinder {grinder}: {done} of {planned} touches</source>
-        <translation type="unfinished"></translation>
+        <translation>{grinder}磨床：已触测 {done}/{planned}</translation>
     </message>
     <message>
         <source>Cone: {done} of {planned} touches</source>
@@ -1774,7 +1774,7 @@
     </message>
     <message>
         <source>, head&apos;s stop not read yet</source>
-        <translation type="unfinished"></translation>
+        <translation>，浮动头止挡处尚未读数</translation>
     </message>
 </context>
 <context>
