@@ -1766,7 +1766,7 @@
     <name>ToolPanel</name>
     <message>
         <source>Grinder {grinder}: {done} of {planned} touches</source>
-        <translation>{grinder}磨床：已触测 {done}/{planned}</translation>
+        <translation>{grinder}砂带磨床：已触测 {done}/{planned}</translation>
     </message>
     <message>
         <source>Cone: {done} of {planned} touches</source>
