@@ -196,6 +196,7 @@ class PlotCanvas(QWidget):
         self.graph.showGrid(x=True, y=True, alpha=0.15)
         self._ring.setPen(pg.mkPen(colour(Role.CHOSEN), width=3))
         self._ring.setBrush(None)
+        self._ring.setSize(px(18))
 
     def _font(self) -> QFont:
         font = QFont(self.font())

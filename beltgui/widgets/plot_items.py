@@ -9,7 +9,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor
 
-from beltgui.app.theme import colour
+from beltgui.app.theme import colour, px
 from beltgui.viewmodel.plot import Band, Bars, Curve, Map, Marks, Series
 from beltgui.viewmodel.scene import Role, Scale
 from beltgui.widgets.plot_dots import DotsItem
@@ -109,7 +109,7 @@ def _fill_marks(item: Any, series: Marks) -> None:
     ink = QColor(colour(series.role))
     thin = symbol in ("x", "+")
     pen = pg.mkPen(ink, width=2) if thin and not many else None
-    item.setData(x=x[good], y=y[good], symbol=symbol, size=SMALL_PX if many else MARK_PX,
+    item.setData(x=x[good], y=y[good], symbol=symbol, size=px(SMALL_PX if many else MARK_PX),
                  pen=pen, brush=pg.mkBrush(ink))  # fmt: skip
 
 
