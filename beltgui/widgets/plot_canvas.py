@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from beltgui.app.language import sentence
@@ -169,6 +169,9 @@ class PlotCanvas(QWidget):
         axis.setTextPen(colour("text"))
         axis.setLabel(html.escape(sentence(scale.title)), color=colour("text"), **{"font-size": f"{px(12)}px"})
         axis.setStyle(tickFont=self._font())
+        metrics = QFontMetrics(self._font())
+        widest = max(metrics.horizontalAdvance(f"{end:.4g}") for end in (scale.low, scale.high))
+        axis.setWidth(widest + metrics.height() + px(14))  # the numbers, and the title beside them
 
     def _draw_words(self, plot: Plot) -> None:
         style = {"color": colour("text"), "font-size": f"{px(12)}px"}
