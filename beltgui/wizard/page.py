@@ -261,13 +261,14 @@ class StepPage(QWidget):
         if bool(content and content.plots) != self.plots.isVisibleTo(self.bottom):
             self.plots.setVisible(bool(content and content.plots))
             self._share_out()
+        # Whether it may be used now is said by `set_editable`, also when work ends without another view.
+        offered = view.actions if view is not None else frozenset()
         self.samples.show_samples(
             content.columns if content else (), content.rows if content else (),
-            undo=self._may(Action.UNDO), redo=self._may(Action.REDO),
+            undo=Action.UNDO in offered, redo=Action.REDO in offered,
         )  # fmt: skip
         # Undo and redo are beside the table: what was deleted or started over must come back from there.
-        edited = view is not None and bool(view.actions & {Action.UNDO, Action.REDO})
-        wanted = bool(content and (content.plots or content.rows)) or edited
+        wanted = bool((content and (content.plots or content.rows)) or offered & {Action.UNDO, Action.REDO})
         if wanted != self.bottom.isVisibleTo(self):
             self.bottom.setVisible(wanted)
             self._share_out()
@@ -312,8 +313,7 @@ class StepPage(QWidget):
         view = self._views.get(self._step)
         if view is None or action not in view.actions or self._read_only:
             return False
-        edits = action in (Action.UNDO, Action.REDO)
-        return self._job is None or (edits and not self._job.motion)
+        return self._job is None
 
     def _note_hand(self) -> None:
         self._moved_by_hand = True
