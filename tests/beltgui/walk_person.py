@@ -34,7 +34,7 @@ from beltgui.wizard.page import StepPage
 
 W = TypeVar("W", bound=QWidget)
 LEFT = Qt.MouseButton.LeftButton
-WAIT_S = 180.0
+WAIT_S = 90.0
 GRID = (25, 18)
 
 
