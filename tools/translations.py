@@ -62,7 +62,9 @@ def main() -> int:
     TEMPLATES.write_text(text, encoding="utf-8")
     files = [str(path) for folder in SCREEN for path in sorted((ROOT / folder).rglob("*.py"))]
     run("pyside6-lupdate", "-no-obsolete", "-locations", "none", *files, "-ts", str(TS))
-    run("pyside6-lrelease", str(TS), "-qm", str(TS.with_suffix(".qm")))
+    made = TS.with_suffix(".qm.part")
+    run("pyside6-lrelease", str(TS), "-qm", str(made))
+    made.replace(TS.with_suffix(".qm"))  # a program that runs has the old file mapped into its memory
     print(f"{len(unfinished())} of {len(list(ElementTree.parse(TS).iter('message')))} texts are untranslated")
     print("".join(f"  {source}\n" for source in unfinished()), end="")
     return 0
