@@ -122,7 +122,7 @@ class Redo:
 class Choose:
     """Set a step's setting: `faces` (fine), `pairs` and `method` (rough), `grinder` (error surface).
 
-    Settings that begin with `show_` only change the picture.
+    None takes the choice back. Settings that begin with `show_` only change the picture.
     """
 
     step: str

@@ -60,12 +60,12 @@ def start_over(connection: Connection, step: str, person: str) -> None:
 
 
 def choose(connection: Connection, step: str, key: str, value: Any, person: str) -> None:
-    """Set a setting of a step.
+    """Set a setting of a step; None takes it away, as if it had never been set.
 
     Raises:
         ValueError: it is no strict JSON.
     """
-    after = {"value": json.loads(schema.dump(value))}
+    after = {"unset": True} if value is None else {"value": json.loads(schema.dump(value))}
     there = samples.settings(connection, step)
     before = {"value": there[key]} if key in there else {"unset": True}
     if before != after:

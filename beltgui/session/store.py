@@ -229,7 +229,7 @@ class Session:
             self._edits.start_over(connection, step, person)
 
     def choose(self, step: str, key: str, value: Any, person: str) -> None:
-        """Set a setting of a step (strict JSON)."""
+        """Set a setting of a step (strict JSON); None takes it away."""
         with self._database.changing() as connection:
             self._edits.choose(connection, step, key, value, person)
 

@@ -56,7 +56,7 @@ def phase_of(view: StepView, acquiring: bool = False) -> Phase:
         return Phase.PREPARE
     if view.state is StepState.ACCEPTED and Action.ACCEPT not in view.actions:
         return Phase.DONE
-    if not content.rows:
+    if not content.rows and not content.complete:
         return Phase.PREPARE
     if content.provisional or not content.complete:
         return Phase.ACQUIRE
@@ -83,7 +83,7 @@ def primary_of(view: StepView, *, busy: bool = False, read_only: bool = False) -
         return Primary(Press.ACCEPT, translate("Primary", "Accept"), not read_only)
     if view.state is StepState.ACCEPTED:
         return _after(view, read_only)
-    if content.rows and content.complete:
+    if content.complete:  # also where the rows are what a person still has to pick
         return _complete(view, read_only)
     if not content.rows:
         return Primary(Press.ACQUIRE, texts_of(view.step).begin, Action.ACQUIRE in actions and not read_only)

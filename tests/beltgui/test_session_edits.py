@@ -71,11 +71,21 @@ def test_what_changes_nothing_is_no_edit(session: Session) -> None:
     (one,) = add(session, 0)
     session.include(one, True, "Ada")
     session.start_over("ball", "Ada")
-    session.choose("tool", "grinder", None, "Ada")
-    session.choose("tool", "grinder", None, "Ada")
+    session.choose("tool", "grinder", None, "Ada")  # it was never set
+    session.choose("tool", "grinder", "fine", "Ada")
+    session.choose("tool", "grinder", "fine", "Ada")
     session.delete(one, "Ada")
     session.delete(one, "Ada")
     assert [edit.what for edit in session.edits()] == ["setting 'grinder' changed", f"sample {one} deleted"]
+
+
+def test_a_setting_that_is_taken_back_is_as_if_it_had_never_been(session: Session) -> None:
+    before = session.basis("fine")
+    session.choose("fine", "faces", [1, 2], "Ada")
+    session.choose("fine", "faces", None, "Ada")
+    assert session.setting("fine", "faces") is None and session.basis("fine") == before
+    session.undo("fine", "Ada")
+    assert session.setting("fine", "faces") == [1, 2]
 
 
 def test_what_cannot_be_edited_is_named(session: Session) -> None:

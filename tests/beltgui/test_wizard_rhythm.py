@@ -1,5 +1,6 @@
 """Which phase a step is in, what the one primary button does then, and what the banner says."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -28,6 +29,9 @@ CASES: list[tuple[str, StepView, Phase, Press, str, bool, BannerKind | None]] = 
     ("some, provisional", view(count=7, provisional=True, actions=GO_ON),
      Phase.ACQUIRE, Press.ACQUIRE, "Go on (7 of 20 scans)", True, BannerKind.PROVISIONAL),
     ("all, not solved", view(ok=None, numbers=(), actions=OPEN),
+     Phase.RESULT, Press.SOLVE, "Solve", True, BannerKind.MISSING),
+    ("pairs still to pick", StepView("rough", 1, StepState.RUNNING, "", (), frozenset(OPEN),
+                                     replace(content(0, numbers=(), ok=None, reasons=(REASON,)), complete=True)),
      Phase.RESULT, Press.SOLVE, "Solve", True, BannerKind.MISSING),
     ("good", view(actions={Action.ACCEPT, *OPEN}), Phase.ACCEPT, Press.ACCEPT, "Accept", True, BannerKind.OK),
     ("bad", view(ok=False, reasons=(REASON,), actions=OPEN),

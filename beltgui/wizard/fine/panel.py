@@ -28,7 +28,7 @@ class FinePanel(StepPanel):
             label.setWordWrap(True)
         self.reset_button = QPushButton(self)
         self.reset_button.setObjectName("fine_reset")
-        self.reset_button.clicked.connect(lambda: self.choose("faces", list(self.extra["default_faces"])))
+        self.reset_button.clicked.connect(lambda: self.choose("faces", None))
         self.colours = QComboBox(self)
         self.colours.setObjectName("fine_colours")
         self.colours.activated.connect(self._colour)
@@ -83,7 +83,9 @@ class FinePanel(StepPanel):
 
     def _set(self, face: int, on: bool) -> None:
         chosen = set(self.extra.get("chosen_faces", ()))
-        self.choose("faces", sorted(chosen | {face} if on else chosen - {face}))
+        wanted = chosen | {face} if on else chosen - {face}
+        # the type's own faces are no choice: what was solved from them holds again
+        self.choose("faces", None if wanted == set(self.extra.get("default_faces", ())) else sorted(wanted))
 
     def _offer_pictures(self) -> None:
         names = list(self.extra.get("scenes", {}))
