@@ -116,7 +116,7 @@ def write_atomically(path: str | os.PathLike[str], data: bytes) -> None:
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
-    _sync_folder(target.parent)
+    sync_folder(target.parent)
 
 
 def _remove_unfinished(target: Path) -> None:
@@ -127,7 +127,8 @@ def _remove_unfinished(target: Path) -> None:
             path.unlink(missing_ok=True)
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
+    """Force the names in a folder to the disk."""
     if os.name == "nt":  # Windows has no handle on folders to sync.
         return
     handle = os.open(folder, os.O_RDONLY)

@@ -17,7 +17,7 @@ from beltgui.engine.messages import (
     OpenSession,
     Ready,
     SessionOpened,
-    StepChanged,
+    replaces,
 )
 
 # What only the latest of counts is shown at most this often; longer bursts of events are shown in portions.
@@ -161,7 +161,7 @@ class Inbox:
     def put(self, event: Event) -> bool:
         """Keep an event; whether the GUI has to be woken for it."""
         with self._lock:
-            kind = _replaces(event)
+            kind = replaces(event)
             self._count += 1
             waiting = kind is not None and self._events.pop(kind, None) is not None
             self._events[self._count if kind is None else kind] = event
@@ -183,16 +183,3 @@ class Inbox:
         """Something waits that has to be shown at once."""
         with self._lock:
             return any(not isinstance(event, CellMoved | JobProgress) for event in self._events.values())
-
-
-def _replaces(event: Event) -> object | None:
-    """Events of the same key replace each other; None is kept in any case."""
-    match event:
-        case CellMoved():
-            return "cell moved"
-        case JobProgress():
-            return ("progress", event.job)
-        case StepChanged():
-            return ("step", event.view.step)
-        case _:
-            return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -381,3 +382,16 @@ Event = (
     Ready | SessionOpened | StepChanged | JobStarted | JobProgress | JobEnded | Question | QuestionGone
     | DevicesChanged | CellMoved | Refused | Exported | Compared | Crashed
 )  # fmt: skip
+
+
+def replaces(event: Event) -> Hashable | None:
+    """Key of an event that only its newest kind matters of while it waits to be told; None is told in any case."""
+    match event:
+        case CellMoved():
+            return "cell moved"
+        case JobProgress():
+            return ("progress", event.job)
+        case StepChanged():
+            return ("step", event.view.step)
+        case _:
+            return None

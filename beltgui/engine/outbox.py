@@ -6,7 +6,7 @@ import threading
 from collections.abc import Hashable
 from multiprocessing.connection import Connection
 
-from beltgui.engine.messages import CellMoved, Event, JobProgress, StepChanged
+from beltgui.engine.messages import Event, replaces
 
 
 class Outbox:
@@ -25,7 +25,7 @@ class Outbox:
         """Hand over an event."""
         with self._changed:
             self._count += 1
-            key = _replaces(event)
+            key = replaces(event)
             self._waiting.pop(key, None)
             self._waiting[self._count if key is None else key] = event
             self._changed.notify_all()
@@ -48,16 +48,3 @@ class Outbox:
                 self._connection.send(event)
             except OSError:
                 return  # the screen has gone; the thread that reads commands notices it too and ends the engine
-
-
-def _replaces(event: Event) -> Hashable | None:
-    """Events of the same key replace each other while they wait."""
-    match event:
-        case CellMoved():
-            return "cell moved"
-        case JobProgress():
-            return ("progress", event.job)
-        case StepChanged():
-            return ("step", event.view.step)
-        case _:
-            return None

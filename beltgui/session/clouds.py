@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from beltgui.files import sync_folder
 from core.errors import InputError
 
 if TYPE_CHECKING:
@@ -80,14 +81,3 @@ def read(path: Path, number: int) -> NDArray[np.float64]:
     except (OSError, ValueError, EOFError) as error:
         raise InputError(f"{path}: the cloud of sample {number} cannot be read ({error}).") from error
     return np.asarray(flat[np.isfinite(flat).all(axis=1)], dtype=np.float64)
-
-
-def sync_folder(folder: Path) -> None:
-    """Force the names in a folder to the disk."""
-    if os.name == "nt":  # Windows has no handle on folders to sync.
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

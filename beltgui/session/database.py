@@ -16,8 +16,8 @@ from sqlalchemy import Connection, Engine, create_engine, event, select
 from sqlalchemy.exc import DBAPIError, OperationalError
 from sqlalchemy.pool import QueuePool
 
+from beltgui.files import sync_folder
 from beltgui.session import schema
-from beltgui.session.clouds import sync_folder
 from core.errors import InputError
 
 BUSY_MS = 10_000

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from beltgui.files import sync_folder
 from beltgui.session import clouds
 from beltgui.session.lock import WriterLock
 from beltgui.session.rows import Basis, Decision, Edit, Sample, Snapshot, StepSnapshot, StoredResult
@@ -76,7 +77,7 @@ class Session:
             clouds.tidy(folder, 1)
             fill()
             database = Database.create(folder / DATABASE, {"format": FORMAT, "created": schema.now(), **info})
-            clouds.sync_folder(folder.resolve().parent)
+            sync_folder(folder.resolve().parent)
         except BaseException:
             lock.release()
             raise

@@ -4304,6 +4304,10 @@
         <translation>扫描点在 {M} 中的不确定度（k = 2），最差的计划扫描</translation>
     </message>
     <message>
+        <source>Scanner on its stage, as planned</source>
+        <translation>位移台上的扫描仪（计划）</translation>
+    </message>
+    <message>
         <source>Scanner {S} in {M} at stage zero, turn</source>
         <translation>位移台零位时扫描仪 {S} 在 {M} 中的转角</translation>
     </message>
@@ -5388,6 +5392,10 @@
         <translation>平面</translation>
     </message>
     <message>
+        <source>planned scan</source>
+        <translation>计划的扫描</translation>
+    </message>
+    <message>
         <source>planned touch</source>
         <translation>计划的触测</translation>
     </message>
@@ -6234,6 +6242,10 @@
     <message>
         <source>where one more scan would add most</source>
         <translation>再扫描一次收益最大处</translation>
+    </message>
+    <message>
+        <source>where the scanner can see</source>
+        <translation>扫描仪的可见范围</translation>
     </message>
     <message>
         <source>with</source>

@@ -46,10 +46,24 @@ def scan_items(scan: BallScan, scene_from_scanner: Array) -> list[Item]:
     return items
 
 
-def scene_of_scan(plan: CellPlan, scans: Sequence[BallScan]) -> Scene | None:
-    """The newest scan alone, in {S}; None before there is one."""
+def scene_of_plan(plan: CellPlan) -> Scene:
+    """Before the first scan: where the stage will take the scanner, as drawn, in {M}."""
+    at = np.array([[pose.stage.x_mm, pose.stage.y_mm, pose.stage.z_mm] for pose in plan.stage_step])
+    items: list[Item] = [
+        drawing.label("{M}", np.zeros(3), "{M}"),
+        *drawing.triads("scanner", [np.eye(4)], 25.0),
+        drawing.scanner_volume("scanner's volume", np.eye(4), plan.scanner),
+        *drawing.arrows("stage axis", np.zeros(3), np.eye(3), AXIS_LENGTH_MM, [f"stage {name}" for name in "xyz"]),
+        Points("planned scans", drawing.display(at), Role.SUGGESTION, size_px=8.0),
+    ]
+    legend = ((Role.SUGGESTION, "planned scan"), (Role.BOX, "where the scanner can see"))
+    return drawing.scene("Scanner on its stage, as planned", "M", items, view="ball", legend=legend)
+
+
+def scene_of_scan(plan: CellPlan, scans: Sequence[BallScan]) -> Scene:
+    """The newest scan alone, in {S}; the plan before there is one."""
     if not scans:
-        return None
+        return scene_of_plan(plan)
     newest = scans[-1]
     items: list[Item] = [
         drawing.frame("S", np.eye(4)),
