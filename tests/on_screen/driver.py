@@ -14,11 +14,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QObject, QPoint, Qt, QThread, Signal, Slot
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 T = TypeVar("T")
 LOOK_EVERY_S = 0.05
+# A picture stands still if it is the same so often.
+STILL_EVERY_S, STILL_LOOKS, MOST_LOOKS = 0.1, 3, 25
 
 
 class TooLongError(AssertionError):
@@ -161,16 +163,22 @@ class Screen:
         xdotool("key", "--delay", "30", *names)
 
     def shot(self, name: str) -> Path:
-        """Keep a picture of the whole screen."""
+        """Keep a picture of the whole screen once it stands still, or after a while as it is then."""
         path = self.out / f"{len(self.shots) + 1:02d}_{name}.png"
-
-        def grab() -> None:
-            screen = QGuiApplication.primaryScreen()
-            assert screen.grabWindow(0).save(str(path))
-
-        self.look(grab)
+        picture, still = self._grab(), 0
+        for _ in range(MOST_LOOKS):
+            if still == STILL_LOOKS:
+                break
+            self._pause.wait(STILL_EVERY_S)
+            again = self._grab()
+            still = still + 1 if again == picture else 0
+            picture = again
+        assert picture.save(str(path))
         self.shots.append(path)
         return path
+
+    def _grab(self) -> QImage:
+        return self.look(lambda: QGuiApplication.primaryScreen().grabWindow(0).toImage())
 
 
 def xdotool(*words: str) -> None:
