@@ -41,7 +41,6 @@ OTHER = (("dark", "en", "error_surface_accepted", "dark.png"), ("light", "zh_CN"
 # Pictures of the report, by their captions' beginnings.
 REPORT_PICTURES = {
     "The scan on the CAD model": "scan_on_cad.png",
-    "The measured normal error on the airfoil": "error_on_blade.png",
     "True normal error along every stroke": "before_and_after.png",
 }
 

@@ -12,7 +12,7 @@ from beltgui.app.language import sentence
 from beltgui.app.theme import colour, px, theme
 from beltgui.viewmodel.scene import Role
 from beltgui.viewmodel.step import Number
-from beltgui.widgets.figures import with_unit
+from beltgui.widgets.figures import decimals_for, with_unit
 
 # Where on the bar the limit is drawn, so that going beyond it is seen.
 LIMIT_AT = 0.75
@@ -101,11 +101,12 @@ class NumberRow(QWidget):
         self.bar.setVisible(item.limit is not None)
         self.limit.setVisible(item.limit is not None)
         self.label.setText(sentence(item.label))
-        self.value.setText(with_unit(item.value, item.unit, item.decimals))
+        decimals = decimals_for(item.plus_minus, item.decimals)
+        self.value.setText(with_unit(item.value, item.unit, decimals))
         self.spread.setVisible(item.plus_minus is not None)
         if item.plus_minus is not None:
             self.spread.setText(
-                self.tr("± {spread} (k = 2)").format(spread=with_unit(item.plus_minus, item.unit, item.decimals))
+                self.tr("± {spread} (k = 2)").format(spread=with_unit(item.plus_minus, item.unit, decimals))
             )
         if item.limit is not None:
             self.bar.show_share(item.value, item.limit)

@@ -4424,6 +4424,10 @@
         <translation>标准球与首次扫描所见位置相差{0} mm；限值为{1} mm。</translation>
     </message>
     <message>
+        <source>The ball on the flange, as planned</source>
+        <translation>法兰上的标准球（计划）</translation>
+    </message>
+    <message>
         <source>The ball on the flange, seen in many robot poses</source>
         <translation>法兰上的标准球，在多个机器人位姿下所见</translation>
     </message>
@@ -5390,6 +5394,10 @@
     <message>
         <source>plane</source>
         <translation>平面</translation>
+    </message>
+    <message>
+        <source>planned pose of the flange</source>
+        <translation>计划的法兰位姿</translation>
     </message>
     <message>
         <source>planned scan</source>

@@ -213,3 +213,11 @@ def test_the_suggested_pose_improves_as_it_says(bench: Bench, live: Live) -> Non
     with_its_noise = after.fit.joint_covariance / max(after.fit.robot_sigma_mm, 1e-6) ** 2
     without = before.fit.joint_covariance / max(before.fit.robot_sigma_mm, 1e-6) ** 2
     assert np.trace(with_its_noise[:3, :3]) < np.trace(without[:3, :3])
+
+
+def test_before_the_first_scan_the_planned_poses_are_shown(bench: Bench) -> None:
+    bench.session.start_over("base", PERSON)
+    content = ROOM.view(bench, None)
+    assert content.scene is not None and content.scene.frame == "B" and content.rows == ()
+    planned = next(item for item in content.scene.items if item.name == "planned poses")
+    assert len(planned.xyz) == len(bench.plan.base_step)

@@ -10,7 +10,7 @@ from beltgui.app.theme import Theme, theme
 from beltgui.viewmodel.step import Check, Number, Suggestion
 from beltgui.widgets.banner import Banner, BannerKind
 from beltgui.widgets.checks_list import ChecksList
-from beltgui.widgets.figures import number, plain_number, with_unit
+from beltgui.widgets.figures import decimals_for, number, plain_number, with_unit
 from beltgui.widgets.numbers_panel import NumbersPanel
 from beltgui.widgets.pictures import Picture, drawing, icon
 from beltgui.widgets.suggestion_box import SuggestionBox
@@ -25,6 +25,14 @@ def test_numbers_as_text() -> None:
     assert with_unit(None, "mm") == "– mm"
     assert with_unit(20.0, "", 0) == "20"
     assert [plain_number(value) for value in (0.02314, None, math.nan)] == ["0.02314", "–", "–"]
+
+
+@pytest.mark.parametrize(
+    ("plus_minus", "decimals"),
+    [(0.5, 3), (0.001, 3), (0.0004, 4), (0.00008, 5), (1e-12, 6), (0.0, 3), (None, 3), (float("nan"), 3), (25.0, 3)],
+)
+def test_an_uncertainty_never_reads_as_zero(plus_minus: float | None, decimals: int) -> None:
+    assert decimals_for(plus_minus, 3) == decimals
 
 
 def test_every_number_has_its_unit_and_the_main_ones_come_first(qtbot: QtBot) -> None:

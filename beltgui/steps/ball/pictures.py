@@ -60,11 +60,8 @@ def scene_of_plan(plan: CellPlan) -> Scene:
     return drawing.scene("Scanner on its stage, as planned", "M", items, view="ball", legend=legend)
 
 
-def scene_of_scan(plan: CellPlan, scans: Sequence[BallScan]) -> Scene:
-    """The newest scan alone, in {S}; the plan before there is one."""
-    if not scans:
-        return scene_of_plan(plan)
-    newest = scans[-1]
+def scene_of_scan(plan: CellPlan, newest: BallScan) -> Scene:
+    """A scan alone, in {S}."""
     items: list[Item] = [
         drawing.frame("S", np.eye(4)),
         drawing.scanner_volume("scanner's volume", np.eye(4), plan.scanner),

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from beltgui.steps.ball.advice import StageAdvice, advise, worst_point_sigma
 from beltgui.steps.ball.closing import is_complete, taken
 from beltgui.steps.ball.found import BallScan, ball_scans
-from beltgui.steps.ball.pictures import plots, scene, scene_of_ball, scene_of_scan
+from beltgui.steps.ball.pictures import plots, scene, scene_of_ball, scene_of_plan, scene_of_scan
 from beltgui.steps.ball.rows import WHERE_COLUMNS, note_of, use_of, where_cells
 from beltgui.steps.ball.step import STEP, BallOutcome, headline, wanted_poses
 from beltgui.steps.room import Bench
@@ -53,7 +53,8 @@ def content(bench: Bench, outcome: BallOutcome | None, error: str) -> StepConten
         complete=complete,
     )
     if outcome is None:
-        return replace(shown, headline=progress, scene=scene_of_scan(bench.plan, scans))
+        picture = scene_of_scan(bench.plan, scans[-1]) if scans else scene_of_plan(bench.plan)
+        return replace(shown, headline=progress, scene=picture)
     absent = [pose for slot, pose in enumerate(wanted) if _absent(scans, slot)]
     advice = advise(outcome.stage, bench.plan, absent, outcome.sigma_mm)
     return replace(

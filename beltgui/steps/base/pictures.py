@@ -15,6 +15,7 @@ from beltgui.viewmodel.plot import LimitLine, Marks, Plot
 from beltgui.viewmodel.scene import Arrow, Item, Points, Role, Scene
 from beltgui.viewmodel.step import Use
 from core.base import BaseLimits
+from devices.cell_plan import CellPlan
 
 Array = NDArray[np.float64]
 TRIAD_MM = 25.0
@@ -30,6 +31,23 @@ LEGEND = (
 )
 # From behind the robot and above: poses, balls and {M} lie side by side.
 LOOK_FROM = (-0.5, -0.7, 0.5)
+
+
+def scene_of_plan(plan: CellPlan) -> Scene:
+    """Before the first scan: the planned poses of the flange and {M} as drawn, in {B}."""
+    poses = [pose.base_from_flange for pose in plan.base_step]
+    flanges = np.array([pose[:3, 3] for pose in poses])
+    items: list[Item] = [
+        drawing.frame("B", np.eye(4), 120.0),
+        drawing.robot_base("robot", np.eye(4)),
+        drawing.frame("M", plan.base_from_measure, 80.0),
+        *drawing.triads("flange", poses, TRIAD_MM),
+        Points("planned poses", drawing.display(flanges), Role.SUGGESTION, size_px=8.0),
+        *_towards_base(flanges),
+    ]
+    legend = ((Role.SUGGESTION, "planned pose of the flange"), (Role.ROBOT, "robot"))
+    return drawing.scene("The ball on the flange, as planned", "B", items, view="base", legend=legend,
+                         look_from=LOOK_FROM, fit_to=("{M}", "flange", "planned", "towards"))  # fmt: skip
 
 
 def scene(outcome: BaseOutcome, advice: PoseAdvice | None, planned: int, ball_radius_mm: float) -> Scene:

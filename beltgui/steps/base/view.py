@@ -12,7 +12,7 @@ from beltgui.steps.ball.found import BallScan, ball_scans
 from beltgui.steps.ball.pictures import scene_of_scan
 from beltgui.steps.ball.rows import WHERE_COLUMNS, note_of, use_of, where_cells
 from beltgui.steps.base.advice import PoseAdvice, advise, point_sigma_mm, pose_values
-from beltgui.steps.base.pictures import plots, scene
+from beltgui.steps.base.pictures import plots, scene, scene_of_plan
 from beltgui.steps.base.step import STEP, BaseOutcome, headline, wanted_poses
 from beltgui.steps.room import Bench
 from beltgui.steps.views.common import (
@@ -55,7 +55,8 @@ def content(bench: Bench, outcome: BaseOutcome | None, error: str) -> StepConten
         complete=complete,
     )
     if outcome is None:
-        return replace(shown, headline=progress, scene=scene_of_scan(bench.plan, scans))
+        picture = scene_of_scan(bench.plan, scans[-1]) if scans else scene_of_plan(bench.plan)
+        return replace(shown, headline=progress, scene=picture)
     there = {scan.slot for scan in scans if not scan.closing}
     advice = advise(outcome.fit, wanted, [pose for slot, pose in enumerate(wanted) if slot not in there])
     return replace(
